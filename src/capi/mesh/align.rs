@@ -1,7 +1,7 @@
-//! Alignment: Finds the rigid poses at which overlapping pieces fit.
+//! Alignment: Finds rigid poses at which pieces fit.
 //!
-//! @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy
-//!     (1994); P. Neugebauer (1997); S. Rusinkiewicz (2019).
+//! @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
+//!     P. Neugebauer (1997); S. Rusinkiewicz (2019).
 
 use crate::align::{Aligned, Alignment, Options, Overlap, Pose, Reason, Start, align};
 use crate::capi::context::{create_handle, gusset_context, lend};
@@ -19,18 +19,17 @@ use gusset_base::alloc;
 pub type gusset_alignment_start = u32;
 /// As given, moved by poses if any.
 pub const GUSSET_ALIGN_AS_GIVEN: gusset_alignment_start = 0;
-/// Principal axes on the first piece's, in the one of four ways that puts most of the piece on it.
-/// For pieces that show one object whole.
+/// Principal axes on the first piece's, in the best of four ways. For pieces that show one object
+/// whole.
 pub const GUSSET_ALIGN_PRINCIPAL_AXES: gusset_alignment_start = 1;
-/// Rims of like shape put together; they then hold the pieces. For parts of a cut or broken surface
-/// without overlap.
+/// Rims of like shape put together, which then hold the pieces. For parts of a cut or broken
+/// surface without overlap.
 pub const GUSSET_ALIGN_RIMS: gusset_alignment_start = 2;
 
 /// Verdict on the pose of a piece.
 pub type gusset_aligned_reason = u32;
-/// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a
-/// slightly scaled or mirrored smooth surface may pass. Pieces that could only slide together also
-/// pass.
+/// Trusted: the piece fits trusted pieces, up to the first. It fits to a mean edge: slightly scaled
+/// or mirrored smooth surfaces may pass, and pieces that could only slide together.
 pub const GUSSET_ALIGNED_TRUSTED: gusset_aligned_reason = 0;
 /// The piece lacks faces with area, or overlaps others too little.
 pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
@@ -38,10 +37,10 @@ pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
 pub const GUSSET_ALIGNED_POOR_FIT: gusset_aligned_reason = 2;
 /// Up to the noise of normals, the piece is free to slide or turn.
 pub const GUSSET_ALIGNED_UNDETERMINED: gusset_aligned_reason = 3;
-/// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
+/// Most of the overlap has opposite normals: the piece is inside out or mirrored.
 pub const GUSSET_ALIGNED_FACES_OTHER_WAY: gusset_aligned_reason = 4;
-/// The piece overlaps nothing, and is over 50 times larger or smaller than the first: its unit
-/// probably differs.
+/// The piece overlaps nothing, and is over 50 times larger or smaller than the first: probably in
+/// another unit.
 pub const GUSSET_ALIGNED_OTHER_SIZE: gusset_aligned_reason = 5;
 /// The piece fits untrusted pieces only.
 pub const GUSSET_ALIGNED_TRUSTED_BY_NONE: gusset_aligned_reason = 6;
@@ -62,10 +61,10 @@ pub struct gusset_alignment_options {
     pub poses: *const gusset_transform,
     /// Number of pieces, or 0.
     pub pose_count: usize,
-    /// Largest distance of matched points, and about how far a piece may move; finite, at least 0.
-    /// 0: a tenth of the largest piece's box diagonal.
+    /// Largest distance of matched points, and about how far a piece may move. 0: a tenth of the
+    /// largest piece's box diagonal.
     pub max_distance: f64,
-    /// Rounds in each of two stages, at most; 0: 100.
+    /// Most rounds in each of two stages; 0: 100.
     pub max_rounds: u32,
     /// 0.
     pub reserved: u32,
@@ -98,9 +97,9 @@ pub struct gusset_overlap {
     pub mean: f64,
     /// RMS distance of these points.
     pub rms: f64,
-    /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
+    /// Fraction on the other piece of points within 8 mean edges of it, 0 to 1.
     pub fit: f64,
-    /// Points on the other piece.
+    /// Number of overlapping points.
     pub count: u32,
     /// 1 if count is at least 30 and fit at least 2/3.
     /// @flag
@@ -125,7 +124,7 @@ pub struct gusset_alignment_view {
     pub overlap_count: usize,
     /// Rounds done.
     pub rounds: u32,
-    /// 1 if the pieces stopped moving before the rounds ran out.
+    /// 1 if pieces stopped before the rounds ran out.
     /// @flag
     pub converged: u32,
 }
@@ -195,9 +194,9 @@ impl gusset_alignment {
 
 /// Finds rigid motions that fit overlapping pieces, all at once. The first piece stays.
 ///
-/// Points match the nearest points of other pieces, except beyond borders, or if normals differ by
-/// over 45 degrees. Distant matches weigh less. A piece without overlap stays at its start; an
-/// underdetermined piece may slide.
+/// Points match the nearest points of other pieces, except beyond borders or if normals differ by
+/// over 45 degrees. Distant matches weigh less. Pieces without overlap stay at their start;
+/// underdetermined pieces may slide.
 ///
 /// @param pieces as for gusset_join.
 /// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance; a pose that is not rigid,
@@ -239,7 +238,7 @@ pub unsafe extern "C" fn gusset_alignment_destroy(alignment: *mut gusset_alignme
     handle::destroy(alignment);
 }
 
-/// Lends the poses and overlaps.
+/// Lends poses and overlaps.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_alignment_get_view(

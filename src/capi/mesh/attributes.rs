@@ -1,4 +1,4 @@
-//! Attributes: Transfers colours, normals, texture coordinates and other values to results.
+//! Attributes: Transfers colours, normals and other values to results.
 //!
 //! @source Means of directions after S. Buss and J. Fillmore (2001); charts across gaps are our
 //!     own.
@@ -35,24 +35,23 @@ pub const GUSSET_VALUE_U32: gusset_value_type = 5;
 pub type gusset_rule = u32;
 /// Weighted mean; integers are rounded.
 pub const GUSSET_RULE_LINEAR: gusset_rule = 0;
-/// Directions of three floats: weighted mean on the sphere, of length 1. Faces that the operation
-/// turned over negate theirs.
+/// Directions of three floats: weighted mean on the sphere, of length 1. Reversed faces negate
+/// theirs.
 pub const GUSSET_RULE_NORMAL: gusset_rule = 1;
 /// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are
-/// kept and scaled to the sum 1, or to the largest value of an integer type.
+/// scaled to the sum 1, or an integer type's largest value.
 pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_rule = 2;
 /// Value of the source with the largest weight (the first of equals).
 pub const GUSSET_RULE_NEAREST: gusset_rule = 3;
 /// Texture coordinates. Vertices and faces: weighted mean. Corners of new faces:
-/// - Weighted mean where both sides are on one chart.
-/// - Elsewhere each new face continues the unfolded chart of its old face, up to a seam in the
-///   middle.
-/// - At the cut of a chart that closes on itself, values are shifted by the jump there. If the jump
-///   does not repeat the texture, the face continues its own chart. No face runs back over the
-///   chart.
-/// - A rim is on one chart as long as old faces have equal values at common vertices. The sides of
-///   a gap are on one chart if most new faces agree: values from the far side deviate from the
-///   continued chart by less than half the distance to the old edge and its length combined.
+/// - Weighted mean where both sides are on one chart. Most new faces must agree: the far side's
+///   values deviate from the continued chart by less than half the old edge's length and distance
+///   combined.
+/// - Elsewhere each new face continues its old face's unfolded chart, up to a seam in the middle,
+///   never back over the chart.
+/// - At the cut of a chart that closes on itself, values shift by the jump there, if that repeats
+///   the texture.
+/// - A rim is on one chart while old faces have equal values at common vertices.
 pub const GUSSET_RULE_TEXTURE: gusset_rule = 4;
 
 c_enum! {
@@ -72,15 +71,15 @@ c_enum! {
     }
 }
 
-/// Describes an attribute of elements.
+/// Attribute of elements.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_channel {
     /// sizeof(gusset_channel).
     pub struct_size: usize,
-    /// Elements that have values.
+    /// Kind of element.
     pub domain: gusset_domain,
-    /// Type of values; 0 is invalid.
+    /// Must be set: 0 is invalid.
     pub value_type: gusset_value_type,
     /// Values of an element, 1 to 4096.
     pub components: u32,
@@ -96,12 +95,12 @@ pub struct gusset_channel {
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Zeroable)]
 pub struct gusset_channel_values {
-    /// Components of each element at every stride. NULL with count 0: the input lacks them; its
-    /// elements get 0, and new elements the values of other sources.
+    /// Components of each element. NULL with count 0: the input lacks them; its elements get 0, and
+    /// new elements other sources' values.
     pub values: *const c_void,
-    /// Vertices, corners or faces of the input.
+    /// Number of the input's elements.
     pub count: usize,
-    /// Bytes from one element to the next; 0 if packed.
+    /// Stride in bytes; 0 if packed.
     pub stride: usize,
 }
 
@@ -113,16 +112,16 @@ fixed! { gusset_channel_values: 24 }
 /// Elements without sources that have values get 0.
 ///
 /// @param inputs values of each input of the origins, in order.
-/// @param values receives the components of each element at every stride, at any alignment; bytes
-///     between do not change. Must not overlap the inputs' values.
+/// @param values receives the components of each element, at any alignment; bytes between do not
+///     change. Must not overlap the inputs' values.
 /// @param count room in elements, at least the elements of the result.
-/// @param stride bytes from one element to the next; 0 if packed.
+/// @param stride in bytes; 0 if packed.
 /// @errors OUT_OF_RANGE (components; value_type and components that the rule refuses; a negative
 ///     skin weight, with element and input), NOT_FINITE (with element and input, except for
 ///     GUSSET_RULE_NEAREST), COUNT_DIFFERS (of inputs, or of values, with the input), BAD_STRIDE,
 ///     BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(sources and elements), parallel; no memory, except for GUSSET_RULE_TEXTURE, linear
-///     in the corners of new faces.
+/// @complexity O(sources and elements), parallel; no memory, but GUSSET_RULE_TEXTURE linear in the
+///     corners of new faces.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_attributes_apply(
@@ -193,13 +192,11 @@ pub(crate) fn carry_over_channel(
     Ok(carry_values_over(origins, &channel, &mut out, job)?)
 }
 
-/// Finds which vertices are one, for merge of gusset_mesh_view.
-///
-/// Vertices with equal keys are one; without keys, vertices at equal finite positions, -0 equal to
-/// 0.
+/// Finds which vertices are one, for merge of gusset_mesh_view: those with equal keys, or else with
+/// equal finite positions, -0 equal to 0.
 ///
 /// @param keys one for each vertex; NULL: positions.
-/// @param merge receives for each vertex the smallest that it is one with; at any alignment.
+/// @param merge receives for each vertex the smallest that it is one with, at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 #[unsafe(no_mangle)]

@@ -14,14 +14,14 @@ use gusset_base::alloc;
 
 /// Treatment of non-manifold edges.
 pub type gusset_non_manifold = u32;
-/// Each face has its own border there; loops along it are always closed.
+/// Each face has its own border there; loops along it are closed.
 pub const GUSSET_NON_MANIFOLD_CUT: gusset_non_manifold = 0;
 /// Loops have boundary edges only, and end at non-manifold ones as open chains.
 pub const GUSSET_NON_MANIFOLD_STOP: gusset_non_manifold = 1;
 
 /// Part of the mesh that is checked.
 pub type gusset_survey = u32;
-/// Every edge: all defects are reported, and flagged on the loops.
+/// Every edge: all defects are reported, and flagged on loops.
 pub const GUSSET_SURVEY_WHOLE_MESH: gusset_survey = 0;
 /// The boundary only, many times faster. Checks the whole mesh if the boundary is open, touches
 /// itself, is not oriented or has edges with three faces.
@@ -29,24 +29,24 @@ pub const GUSSET_SURVEY_WHOLE_MESH: gusset_survey = 0;
 /// Other defects are not reported. Edges with equal numbers of faces in both directions, two or
 /// more, do not cut loops.
 ///
-/// The search relies on hashes. It fails with a probability below 2^-64, but a malicious mesh may
-/// hide a boundary: for untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
+/// The search by hashes fails with a probability below 2^-64, but malicious meshes may hide a
+/// boundary: check untrusted ones whole.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: gusset_survey = 1;
 
 /// Properties of a loop.
 /// @bits
 pub type gusset_loop_flags = u32;
-/// The loop is an open chain, with one vertex more than edges.
+/// An open chain, with one vertex more than edges.
 pub const GUSSET_LOOP_OPEN: gusset_loop_flags = 1;
-/// The loop passes a vertex where the surface touches itself.
+/// Passes a vertex where the surface touches itself.
 pub const GUSSET_LOOP_BOW_TIE: gusset_loop_flags = 2;
-/// The loop was cut from a longer walk that passes a vertex twice.
+/// Cut from a longer walk that passes a vertex twice.
 pub const GUSSET_LOOP_SPLIT: gusset_loop_flags = 4;
-/// The loop runs along, or ends at, a non-manifold edge.
+/// Runs along, or ends at, a non-manifold edge.
 pub const GUSSET_LOOP_NON_MANIFOLD: gusset_loop_flags = 8;
-/// The faces along the loop disagree in orientation.
+/// Faces along the loop disagree in orientation.
 pub const GUSSET_LOOP_NOT_ORIENTED: gusset_loop_flags = 16;
-/// The loop has an edge of length 0.
+/// Has an edge of length 0.
 pub const GUSSET_LOOP_ZERO_LENGTH: gusset_loop_flags = 32;
 
 /// Properties of an edge of a loop.
@@ -75,13 +75,13 @@ const _: () = assert!(
 pub type gusset_defect_kind = u32;
 /// A face (index) repeats a vertex (other).
 pub const GUSSET_DEFECT_DEGENERATE_FACE: gusset_defect_kind = 1;
-/// The two faces of an edge run it in the same direction: half-edges index and other.
+/// The two faces of an edge run it in one direction: half-edges index and other.
 pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: gusset_defect_kind = 2;
 /// An edge has three or more half-edges: index is the first, count their number. A face may count
 /// twice.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: gusset_defect_kind = 3;
-/// The faces at a vertex (index) form more than one fan. Ends of non-manifold edges are listed too
-/// where a loop passes them.
+/// The faces at a vertex (index) form several fans. Ends of non-manifold edges count too where a
+/// loop passes.
 pub const GUSSET_DEFECT_BOW_TIE: gusset_defect_kind = 4;
 
 /// Boundary loops of a mesh.
@@ -111,7 +111,7 @@ pub struct gusset_boundary_options {
 pub struct gusset_loop_view {
     /// sizeof(gusset_loop_view).
     pub struct_size: usize,
-    /// Vertices, each once. A closed loop starts at its smallest half-edge.
+    /// Vertices, each once. Closed loops start at their smallest half-edge.
     pub vertices: gusset_indices,
     /// Half-edge of each edge.
     pub half_edges: gusset_indices,
@@ -122,7 +122,7 @@ pub struct gusset_loop_view {
     pub edge_flags: *const gusset_edge_flags,
     /// Sum of the edge lengths.
     pub length: f64,
-    /// Properties of the loop; 0 if ordinary and closed.
+    /// Properties of a loop.
     pub flags: gusset_loop_flags,
     /// Walk that the loop was cut from.
     pub walk: u32,
@@ -138,7 +138,7 @@ pub struct gusset_defect {
     pub index: u32,
     /// Second element, or UINT32_MAX.
     pub other: u32,
-    /// Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0.
+    /// Half-edges of a non-manifold edge; else 0.
     pub count: u32,
 }
 
@@ -150,7 +150,7 @@ pub struct gusset_boundary_view {
     pub struct_size: usize,
     /// Loops and open chains; 0 if the mesh is closed.
     pub loop_count: usize,
-    /// Walks that loops were cut from. Loops that touch share a walk if it passes from one to the
+    /// Walks that loops were cut from. Touching loops share a walk that passes from one to the
     /// other.
     pub walk_count: usize,
     /// Degenerate faces, orientation conflicts, non-manifold edges, and bow-ties on the boundary.
@@ -188,11 +188,11 @@ impl From<&Defect> for gusset_defect {
 
 /// Finds all boundary loops: chains of boundary edges.
 ///
-/// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface
-/// is on the left.
-/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have only
-///   two vertices.
-/// - Loops are in the order of their smallest half-edges.
+/// Loops run as the faces along them: if faces are counter-clockwise from outside, the surface is
+/// on the left.
+/// - Each loop passes a vertex once: a boundary that touches itself is cut. Loops may have only two
+///   vertices.
+/// - Loops are ordered by smallest half-edge.
 /// - Walks along only non-manifold edges are left out, except loops cut from other walks.
 /// - A face with fewer than three sides between different vertices lacks a border; its neighbours
 ///   count as adjacent.

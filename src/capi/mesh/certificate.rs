@@ -1,4 +1,4 @@
-//! Certificates: States facts about a result that a program without the library can check.
+//! Certificates: Facts that programs without the library can check.
 //!
 //! @source Y. Shiloach, Fast canonization of circular strings (1981), for matching faces.
 
@@ -11,14 +11,14 @@ use crate::certify::{Certificate, certify};
 use crate::mesh::NONE;
 use gusset_base::alloc;
 
-/// Facts about a result and the meshes that it was made from.
+/// Facts about a result.
 pub struct gusset_certificate(Certificate);
 
 handle! { gusset_certificate }
 
-/// Facts about a result. Faces match if they have the same positions at their corners, from any
-/// corner; -0 equals 0. Each result face matches at most one face of the pieces. Faces with fewer
-/// than three edges between different vertices have no edges.
+/// Facts about a result. Faces match by the positions of their corners, from any corner; -0 equals
+/// 0. Each result face matches at most one face of the pieces. Edges connect different vertices; a
+/// face with fewer than three has none. Shared edges connect components.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_certificate_view {
@@ -26,48 +26,47 @@ pub struct gusset_certificate_view {
     pub struct_size: usize,
     /// Vertices that faces use.
     pub vertex_count: u32,
-    /// Distinct edges, between different vertices.
+    /// Number of edges.
     pub edge_count: u32,
     /// Faces.
     pub face_count: u32,
-    /// Components: faces connected by shared edges.
+    /// Number of components.
     pub component_count: u32,
     /// 1 if there are edges, and each has exactly two faces.
     /// @flag
     pub closed: u32,
-    /// 1 if closed and oriented without intersecting pairs, and each component faces outwards. A
-    /// component that an odd number of others encloses has a negative volume, any other a positive
-    /// one.
+    /// 1 if closed and oriented without intersecting pairs, and facing outwards. A component that
+    /// an odd number of others encloses has a negative volume, any other a positive one.
     /// @flag
     pub outward: u32,
     /// Edges with one face.
     pub boundary_edges: u32,
     /// Edges with three or more faces.
     pub non_manifold_edges: u32,
-    /// Ends of non-manifold edges, and vertices whose faces form several fans.
+    /// Ends of non-manifold edges, and vertices with several fans.
     pub non_manifold_vertices: u32,
-    /// Edges whose two faces run them in the same direction.
+    /// Edges whose two faces run them in one direction.
     pub orientation_conflicts: u32,
     /// Faces that repeat a vertex.
     pub degenerate_faces: u32,
-    /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
+    /// As in gusset_check_view.
     pub duplicate_faces: u32,
-    /// Triangles whose three different vertices lie on one line, also triangles of polygons.
+    /// Triangles, also of polygons, with three different vertices on one line.
     pub collinear_triangles: u32,
-    /// Faces of the result that match no face of the pieces.
+    /// Faces that match no face of the pieces.
     pub new_faces: u32,
-    /// Pairs of faces with common points other than common vertices and edges.
+    /// Pairs of faces with common points beyond common vertices and edges.
     pub intersecting_pairs: u64,
     /// Faces of the pieces that the result has.
     pub kept_faces: u64,
-    /// Faces of the pieces that the result has only reversed, as (piece, face), ascending.
+    /// Faces that the result has only reversed, as (piece, face), ascending.
     /// @shape * 2
     pub turned_faces: gusset_indices,
-    /// Faces of the pieces that the result lacks, as (piece, face), ascending.
+    /// Faces that the result lacks, as (piece, face), ascending.
     /// @shape * 2
     pub lost_faces: gusset_indices,
-    /// Largest distance of a vertex of the pieces from the nearest vertex of the result, where faces
-    /// use both; 0 if all such vertices remain.
+    /// Largest distance of a used vertex of the pieces from the result's nearest used vertex; 0 if
+    /// all remain.
     pub farthest_distance: f64,
     /// Piece of the farthest vertex; UINT32_MAX without one.
     pub farthest_piece: u32,
@@ -77,18 +76,18 @@ pub struct gusset_certificate_view {
     pub nearest_vertex: u32,
     /// 0.
     pub reserved: u32,
-    /// Triangles of the result's faces with more than three corners, as half-edges, face by face.
+    /// Triangles of faces with more than three corners, as half-edges, face by face.
     /// @shape * 3
     pub polygon_triangles: gusset_indices,
 }
 
 versioned! { gusset_certificate_view: 152 }
 
-/// States facts about a result and the pieces that it was made from. The result may come from
-/// anywhere. verify.py confirms or refutes them by exact arithmetic, without the library.
+/// States facts about a result, from anywhere, and its pieces. verify.py confirms or refutes the
+/// facts by exact arithmetic, without the library.
 ///
-/// All facts are exact, except farthest_distance. outward is 0 also if undecided: if a volume is 0
-/// up to rounding, or if a component shares the positions of all its vertices with others.
+/// All facts are exact, except farthest_distance. outward is 0 also if undecided: a volume is 0 up
+/// to rounding, or a component shares the positions of all its vertices with others.
 ///
 /// @param pieces the meshes that the result was made from; may be NULL without any.
 /// @errors as gusset_mesh_view, TOO_LARGE (vertices of all meshes)

@@ -1,4 +1,4 @@
-//! Checks: Reports the properties and defects of a mesh.
+//! Checks: Properties and defects of a mesh.
 //!
 //! @source Textbook topology of polygon meshes.
 
@@ -26,7 +26,7 @@ pub struct gusset_check(Check);
 
 handle! { gusset_check }
 
-/// Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces have no edges.
+/// Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces lack edges.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_check_view {
@@ -40,7 +40,7 @@ pub struct gusset_check_view {
     pub face_count: u32,
     /// Components: faces connected by shared edges.
     pub component_count: u32,
-    /// As walk_count of gusset_boundary_view.
+    /// Number of boundary walks.
     pub boundary_walk_count: u32,
     /// Properties of a mesh.
     pub properties: gusset_mesh_flags,
@@ -55,9 +55,9 @@ pub struct gusset_check_view {
     pub non_manifold_edges: gusset_indices,
     /// Ends of non-manifold edges, and bow-ties.
     pub non_manifold_vertices: gusset_indices,
-    /// Vertices whose faces form more than one fan; usually also ends of non-manifold edges.
+    /// Vertices whose faces form several fans; usually also ends of non-manifold edges.
     pub bow_ties: gusset_indices,
-    /// First half-edge of each edge whose two faces run it in the same direction.
+    /// First half-edge of each edge whose two faces run it in one direction.
     pub orientation_conflicts: gusset_indices,
     /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
     pub duplicate_faces: gusset_indices,

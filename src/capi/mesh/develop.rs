@@ -1,4 +1,4 @@
-//! Developments: Cuts surfaces open and flattens them with little distortion.
+//! Developments: Flattens surfaces with little distortion.
 //!
 //! @source W. Tutte (1963); B. Levy and others (2002); J. Erickson and K. Whittlesey (2005); M.
 //!     Ben-Chen and others (2008); M. Rabinovich and others (2017).
@@ -31,12 +31,12 @@ pub struct gusset_develop_options {
     pub distortion: gusset_distortion,
     /// Most darts: cuts from a chart's border to where it is curved.
     pub max_darts: u32,
-    /// Vertices of the paths to cut along, path after path, connected by the shortest paths along
-    /// edges. A path of one vertex cuts nothing.
+    /// Vertices of paths to cut along, path after path, connected by shortest edge paths. A path of
+    /// one vertex cuts nothing.
     pub cuts: gusset_indices,
     /// Start of each path in cuts, and the end of the last. Empty: one path.
     pub cut_offsets: gusset_indices,
-    /// Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
+    /// Darts stop once no length changes by a larger factor; above 1, finite; 0: none.
     pub max_stretch: f64,
     /// Most steps of a descent; 0: 200. Charts whose border would meet itself, and
     /// GUSSET_DISTORTION_RIGID, need several descents.
@@ -65,22 +65,22 @@ impl gusset_develop_options {
 
 /// Flattens a surface with the least distortion.
 ///
-/// The surface is cut along the given paths; components that are not discs are then opened along
-/// short paths. Each connected component of the rest is a chart. The result has the surface's
-/// scalar type and z = 0; faces keep their order and first corners, and are counter-clockwise.
-/// - A chart that unfolds about its edges keeps their lengths. The error is at most 1e-10 of the
-///   length, or of 1e-3 mean edges if more, before rounding, which grows with the distance from the
-///   origin. The chart may overlap itself, and rounding may turn over triangles without area.
+/// The surface is cut along the given paths, then into discs along short paths. Each component is
+/// then a chart. The result has the surface's scalar type and z = 0; faces keep their order and
+/// first corners, counter-clockwise.
+/// - A chart that unfolds about its edges keeps their lengths, to 1e-10 of the length, or of 1e-3
+///   mean edges if more. Rounding errors grow with the distance from the origin. The chart may
+///   overlap itself, and rounding may turn over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned
 ///   over, and the border does not meet itself. If this ends the descent early, finish is
 ///   GUSSET_CHART_STALLED.
-/// - Darts are made while they lower the distortion, from the border to the vertex with the worst
-///   conformal scale.
+/// - Darts run from the border to the vertex with the worst conformal scale, while they lower the
+///   distortion.
 /// - Each chart's border has the greatest variance along x.
 /// - A vertex on a cut becomes several. Merged vertices count as the smallest.
 /// - Non-manifold edges, and edges whose faces disagree in orientation, are borders, not cuts.
-/// - Polygons are measured by triangles. A triangle flatter than 1e-7 of its longest side, or
-///   smaller than 1e-7 of the mean edge, counts as that large.
+/// - Polygons are measured by triangles. Triangles count as at least 1e-7 of their longest side
+///   high, and 1e-7 of the mean edge large.
 /// - A conformal map has the area of the surface.
 ///
 /// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets),
@@ -109,9 +109,7 @@ pub unsafe extern "C" fn gusset_develop(
     })
 }
 
-/// Lends the report of a development.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_develop(

@@ -50,14 +50,14 @@ pub struct gusset_chart {
     /// Steps of all descents.
     pub iterations: u32,
     /// Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT:
-    /// crossings by more than 1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
+    /// crossings by over 1e-8 of the area's root. GUSSET_CHART_FOLDED: all. Else 0.
     pub overlaps: u32,
-    /// Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED.
+    /// Triangles turned over, by GUSSET_CHART_FOLDED only.
     pub folds: u32,
     /// 0.
     pub reserved: u32,
-    /// Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both
-    /// singular values s of the map. An isometry has the least, 4.
+    /// Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular
+    /// values s of the map; 4 for an isometry, else more.
     pub energy: f64,
     /// Largest factor by which a length grows.
     pub max_stretch: f64,
@@ -82,7 +82,7 @@ pub struct gusset_develop_report {
     pub vertex_map: gusset_indices,
     /// Chart of each face.
     pub face_charts: gusset_indices,
-    /// Largest and smallest factor by which lengths grow, for each face.
+    /// Largest and smallest factor by which each face's lengths grow.
     /// @shape face_charts 2
     pub stretches: *const f64,
     /// Charts in the order of their first faces, side by side along x.

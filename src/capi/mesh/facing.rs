@@ -1,4 +1,4 @@
-//! Facing arcs: Finds which vertices of two loops face each other.
+//! Facing arcs: Finds facing vertices of two loops.
 //!
 //! @source Nesterenko, algorithm 2.
 
@@ -57,8 +57,8 @@ pub struct gusset_facing_view {
     /// Signed distance of each vertex from its plane, positive towards the other loop.
     /// @shape counts
     pub distances: [*const f64; 2],
-    /// First index and length of each run of facing vertices, alternating; a run may pass the
-    /// loop's end.
+    /// First index and length of each run of facing vertices, alternating; runs may pass the loop's
+    /// end.
     /// @shape * 2
     pub runs: [gusset_indices; 2],
     /// The chosen run, as arc_a and arc_b of gusset_stitch_options.

@@ -21,13 +21,12 @@ use crate::mesh::MAX_ELEMENTS;
 use crate::repair::orient::Outward;
 use gusset_base::alloc;
 
-/// Loops that are not holes. Except with GUSSET_KEEP_NONE, a loop also stays open along a border
-/// that coincides with another; see GUSSET_HOLE_UNSEWN.
+/// Loops that are not holes, if all loops are selected. Except with GUSSET_KEEP_NONE, loops also
+/// stay open by GUSSET_HOLE_UNSEWN.
 pub type gusset_fill_keep = u32;
 /// Outer borders of sheets, and borders of loose faces.
-/// - A component is a sheet if the length of its area vector is at least 3/4 of its area. Its outer
-///   border is the loop whose area vector reaches farthest along the component's. A bowl is not a
-///   sheet: a hemisphere has 1/2.
+/// - A component is a sheet if its area vector's length is at least 3/4 of its area. Its outer
+///   border is the loop whose area vector reaches farthest along the component's.
 /// - A component is loose if one loop passes all its vertices, like a single face.
 pub const GUSSET_KEEP_AUTO: gusset_fill_keep = 0;
 /// All loops are holes.
@@ -35,7 +34,7 @@ pub const GUSSET_KEEP_NONE: gusset_fill_keep = 1;
 /// The longest loop (the first of equals).
 pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 2;
 /// Outer borders of sheets and shallow bowls: loops whose area vector has a positive dot product
-/// with their component's, and a length of at least half the component's area.
+/// with the component's. Its length is at least half the component's area.
 pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 3;
 
 /// Loops that share a patch.
@@ -48,7 +47,7 @@ pub const GUSSET_TOGETHER_ONE: gusset_fill_together = 1;
 /// - Pairs are tried whose boxes, grown by half their diagonals, overlap: about 8 a loop and 256 in
 ///   all (the log says if exceeded).
 /// - The largest relative gain comes first. A patch has at most 16 loops.
-/// - With GUSSET_WEIGHT_AREA, the ends of a short tube share a patch along the tube.
+/// - With GUSSET_WEIGHT_AREA, a short tube's ends share a patch along the tube.
 pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 
 /// New vertices of patches.
@@ -63,11 +62,10 @@ pub type gusset_fill_continuity = u32;
 /// Tangent continuity: fairing minimises the squared Laplacian.
 pub const GUSSET_CONTINUITY_C1: gusset_fill_continuity = 0;
 /// Curvature continuity: fairing minimises the squared gradient of the Laplacian. Two rings of old
-/// faces at the rim, with their noise, determine the curvature.
+/// faces at the rim determine it, with their noise.
 pub const GUSSET_CONTINUITY_C2: gusset_fill_continuity = 1;
 
-/// Options of gusset_fill. Default: all holes, without new vertices. Outer borders of sheets are not
-/// holes.
+/// Options of gusset_fill. Default: all holes, without new vertices.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_fill_options {
@@ -77,34 +75,34 @@ pub struct gusset_fill_options {
     pub weight: gusset_fill_weight,
     /// New vertices of patches.
     pub refine: gusset_fill_refinement,
-    /// Fairing; ignored without new vertices.
+    /// Positions of new vertices.
     pub fairing: gusset_fairing,
-    /// Loops that stay open, if all loops are selected.
+    /// Loops that are not holes, if all loops are selected.
     pub keep: gusset_fill_keep,
     /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE
     /// ignores them.
     pub intersections: gusset_intersections,
-    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish.
-    /// Failed triangulations and shared patches are not predicted.
+    /// 1: only reports which loops would be filled, by which weight and finish, without predicting
+    /// failed triangulations and shared patches.
     /// @flag
     pub plan_only: u32,
-    /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most
-    /// twofold. 0: 50,000, or 4 a rim vertex if more; twice that for sharp angles.
+    /// Approximate limit on a patch's new vertices, kept by larger triangles, within a factor of 2.
+    /// 0: 50,000, or 4 a rim vertex if more; twice that for sharp angles.
     pub max_new_vertices: u32,
-    /// Most edges of a loop to fill. 0: no limit.
+    /// Most edges of a loop to fill; 0: any.
     pub max_edges: u32,
-    /// Largest length of a loop to fill, at least 0. 0: no limit.
+    /// Largest length of a loop to fill, at least 0; 0: any.
     pub max_length: f64,
-    /// Largest diagonal of the loop's axis-aligned box, likewise.
+    /// As max_length, for diameter of gusset_hole.
     pub max_diameter: f64,
-    /// Largest area, as in gusset_hole, likewise.
+    /// As max_length, for area of gusset_hole.
     pub max_area: f64,
-    /// For closed components of the result, patches included.
+    /// Side that closed components face.
     pub outward: gusset_outward,
-    /// Loops that share a patch, if groups is NULL.
+    /// Loops that share a patch.
     pub together: gusset_fill_together,
-    /// Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0,
-    /// without loops left open for their own reasons. NULL: see together.
+    /// Group of each given loop; the group's loops share a patch of genus 0, except loops left open
+    /// for their own reasons. NULL: together decides.
     /// @shape loop_count
     pub groups: *const u32,
     /// Smoothness between faired patches and the old surface.
@@ -112,8 +110,7 @@ pub struct gusset_fill_options {
     /// 1: creases of the old surface end at the rim.
     /// @flag
     pub ignore_creases: u32,
-    /// GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired,
-    /// regardless of refine and fairing.
+    /// Surface between the rims, or in a hole.
     pub finish: gusset_finish,
     /// 0.
     pub reserved: u32,
@@ -191,11 +188,11 @@ fn read_loops(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<V
     alloc::try_collect((0..count).map(list)).map(Some)
 }
 
-/// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
+/// Fills holes by triangles, oriented like the surrounding surface.
 ///
-/// Loops that cannot be filled stay open, and so do outer borders of sheets; see gusset_hole_status.
-/// The result has the old vertices, bit for bit, then new ones; the old faces, then new triangles,
-/// hole by hole. gusset_join with fill 1 and max_gap 0 sews coincident borders first.
+/// Loops that cannot be filled, and outer borders of sheets, stay open; see gusset_hole_status. New
+/// vertices come after the old; new triangles after the old faces, hole by hole. gusset_join with
+/// fill 1 and max_gap 0 sews coincident borders first.
 /// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons
 ///   are triangulated.
 /// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with
@@ -203,14 +200,13 @@ fn read_loops(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<V
 /// - In a patch of one loop, creases continue: matching pairs are joined, three or more meet in a
 ///   new vertex. Without new vertices, only straight pairs are joined. Other creases end at the
 ///   rim.
-/// - Loops of a shared patch stay open if two share a vertex, or the search, which is not
-///   exhaustive, fails. GUSSET_TOGETHER_CHEAPEST gives them separate patches.
+/// - Loops of a shared patch stay open if two share a vertex, or the search (not exhaustive) fails.
+///   GUSSET_TOGETHER_CHEAPEST gives them separate patches.
 /// - A patch that intersects itself or other faces, by an exact test, is retried with less fairing,
-///   other weights and no new vertices. The fewest intersections win.
+///   other weights and no new vertices. The fewest intersections win; see gusset_hole.
 /// - Faired vertices stay in the rims' box, grown on all sides by half its diagonal.
 ///
-/// @param loops vertices of each loop in order, in either direction, cyclically joined by boundary
-///     edges. NULL with loop_count 0: all loops.
+/// @param loops each as loop_a of gusset_stitch; NULL with loop_count 0: all loops.
 /// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input is the loop, index the place in it),
 ///     NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
 /// @complexity O(n^3) time, 30 n^2 bytes for a loop of n <= 128 vertices. Otherwise linear memory:
@@ -255,9 +251,7 @@ pub unsafe extern "C" fn gusset_fill(
     })
 }
 
-/// Lends the report of a filling.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_fill(

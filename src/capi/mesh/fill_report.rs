@@ -9,10 +9,10 @@ use gusset_base::alloc;
 
 /// Weight that the triangulation of a hole minimises.
 pub type gusset_fill_weight = u32;
-/// Best continuation of the surface: the area if the rim is planar, else the sum of
+/// Best continuation: the area if the rim is planar, else the sum of
 /// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
-/// - the mean squared distance of triangles from the missing surface, estimated from tangent planes
-///   at the rim, in units of 1/140 of its length.
+/// - the mean squared distance from the missing surface, estimated from tangent planes at the rim,
+///   in units of 1/140 of its length.
 pub const GUSSET_WEIGHT_CONTINUATION: gusset_fill_weight = 0;
 /// Sum of the areas and, over all edges, the rim included, of squared length * (1 - cos(angle
 /// between normals)).
@@ -39,7 +39,7 @@ pub const GUSSET_HOLE_FILLED: gusset_hole_status = 0;
 pub const GUSSET_HOLE_KEPT: gusset_hole_status = 1;
 /// Left open: it exceeds max_edges, max_length, max_diameter or max_area.
 pub const GUSSET_HOLE_TOO_LARGE: gusset_hole_status = 2;
-/// Left open: it is an open chain.
+/// Left open: an open chain.
 pub const GUSSET_HOLE_OPEN: gusset_hole_status = 3;
 /// Left open: it runs along a non-manifold edge.
 pub const GUSSET_HOLE_NON_MANIFOLD: gusset_hole_status = 4;
@@ -51,22 +51,22 @@ pub const GUSSET_HOLE_NOT_SIMPLE: gusset_hole_status = 6;
 pub const GUSSET_HOLE_NOT_FREE: gusset_hole_status = 7;
 /// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 pub const GUSSET_HOLE_NO_TRIANGULATION: gusset_hole_status = 8;
-/// Left open: loose faces; the loop passes all vertices of its component. See GUSSET_KEEP_AUTO.
+/// Left open: loose faces; see GUSSET_KEEP_AUTO.
 pub const GUSSET_HOLE_LOOSE: gusset_hole_status = 9;
-/// Left open: an edge coincides with another boundary edge, up to the rounding of positions. A patch
-/// would have no area there, or lie on another. GUSSET_KEEP_NONE fills the loop.
+/// Left open: an edge coincides with another boundary edge up to rounding. GUSSET_KEEP_NONE fills
+/// the loop.
 pub const GUSSET_HOLE_UNSEWN: gusset_hole_status = 10;
 
 /// Report on one loop.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// First vertex of the loop in rims, surface on the left before components are turned outwards;
-    /// as given if not simple, free or oriented.
+    /// First vertex of the loop in rims, surface on the left before turning components outwards; as
+    /// given if not simple, free or oriented.
     pub rim_first: usize,
     /// Number of its vertices.
     pub rim_count: usize,
-    /// First face of the patch in the result; the same for loops that share a patch.
+    /// First face of the patch in the result, equal for loops that share it.
     pub face_first: usize,
     /// Number of its faces.
     pub face_count: usize,
@@ -76,19 +76,19 @@ pub struct gusset_hole {
     pub vertex_count: usize,
     /// Length of the loop.
     pub length: f64,
-    /// Diagonal of the axis-aligned box of the loop.
+    /// Diagonal of the loop's axis-aligned box.
     pub diameter: f64,
-    /// Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar
+    /// Area of triangles from the loop's edges to the mean of its vertices: exact for a planar
     /// convex hole, else more.
     pub area: f64,
     /// Outcome for one loop.
     pub status: gusset_hole_status,
-    /// As requested, or one with fewer intersections.
+    /// Weight that the triangulation of a hole minimises.
     pub weight: gusset_fill_weight,
-    /// As requested, or simpler with fewer intersections.
+    /// Vertices of a patch.
     pub finish: gusset_patch_finish,
-    /// Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always
-    /// with plan_only.
+    /// Patch number, in the order of faces, equal for loops that share it; UINT32_MAX without a
+    /// patch, always with plan_only.
     pub patch: u32,
 }
 
@@ -98,7 +98,7 @@ pub struct gusset_hole {
 pub struct gusset_fill_report {
     /// sizeof(gusset_fill_report).
     pub struct_size: usize,
-    /// Given loops, or all as gusset_boundary_get_loop numbers them.
+    /// Given loops, or all in the order of gusset_boundary_get_loop.
     /// @shape hole_count
     pub holes: *const gusset_hole,
     /// Number of loops.
@@ -108,21 +108,19 @@ pub struct gusset_fill_report {
     /// Three rim vertices for each new vertex.
     /// @shape * 3
     pub parents: gusset_indices,
-    /// Weights of the parents, at least 0, sum 1. They give the nearest point on the plain
-    /// triangulation of the rims: the vertex itself in a flat patch, or without fairing and
-    /// creases.
+    /// Weights of the parents, at least 0, sum 1. They give the nearest point on the rims' plain
+    /// triangulation: the vertex itself in a flat patch, or without fairing and creases.
     /// @shape parents 3
     pub weights: *const f64,
-    /// Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index,
-    /// a new face.
+    /// As in gusset_stitch_report, ascending: first the larger index, a new face.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
+    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending.
     pub turned_outwards: gusset_indices,
     /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
-    /// Boundary edges of the input that coincide with another. 0, and not looked for, for given
+    /// Boundary edges of the input that coincide with another; 0, without a search, for given
     /// loops.
     pub coincident_edges: u32,
 }

@@ -1,4 +1,4 @@
-//! Joining: Joins many open pieces to one mesh.
+//! Joining: Joins open pieces into one mesh.
 //!
 //! @source Nesterenko for a single gap.
 
@@ -14,26 +14,26 @@ use crate::capi::status::gusset_status;
 use gusset_base::alloc;
 
 /// Joins open pieces into one mesh: sews coincident borders, orients components, joins facing loops
-/// by strips, fills holes, and turns closed components outwards, as the options say.
+/// by strips, fills holes, and turns closed components outwards.
 ///
-/// The result has the vertices of pieces, strips, then patches; faces likewise. Positions have the
-/// first piece's scalar type; old ones keep their bits. Strips enclose overlaps that are not
-/// trimmed.
+/// Vertices and faces come from pieces, strips, then patches, in the first piece's scalar type.
+/// Strips enclose overlaps that are not trimmed.
 ///
-/// Facing loops of different components are joined, by the best one-to-one choice:
+/// Facing loops of different components are joined, by the best matching:
 /// - Whole loops, if the conormals (tangents off the surface) of each point to the other, without a
-///   much nearer loop between.
-/// - Whole loops, if 9/10 of the vertices of each are nearest to the other, at similar distances or
-///   once round it. Similar: the ninth decile is at most 4 times the first, or the vertex spacing.
+///   much nearer loop.
+/// - Whole loops, if 9/10 of each one's vertices are nearest to the other, once round it or at
+///   similar distances. Similar: the ninth decile is at most 4 times the first, or the vertex
+///   spacing.
 /// - Else runs of mutually nearest vertices, by open strips.
 ///
 /// @param pieces at least one; struct_size of the first holds for all.
 /// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or
 ///     an entry of pairs or excluded: index is the entry, input its loop 0 or 1, value the missing
-///     piece, else the vertex. The piece or vertex does not exist. In pairs, also: no vertex, no or
-///     several joinable loops at it, or a loop named before), TOO_LARGE
-/// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip,
-///     gusset_fill for each hole, a pass over all faces for each strip faired or tested for
+///     piece, else the vertex. It does not exist. In pairs, also: no vertex, no or several joinable
+///     loops at it, or a loop named before), TOO_LARGE
+/// @complexity O(H log d + V log V) for V vertices on loops. Also gusset_stitch for each strip,
+///     gusset_fill for each hole, and a pass over all faces for each strip faired or tested for
 ///     intersections.
 /// @source Nesterenko for a single gap.
 #[unsafe(no_mangle)]
@@ -65,9 +65,7 @@ pub unsafe extern "C" fn gusset_join(
     })
 }
 
-/// Lends the report of a join.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_join(

@@ -19,21 +19,19 @@ use gusset_base::alloc;
 
 /// Treatment of coincident borders.
 pub type gusset_welding = u32;
-/// Sewn, with the tolerance of weld_options; edges are split where vertices do not match, as in
-/// gusset_sew.
+/// Sewn as by gusset_sew, with weld_options; edges are split where vertices do not match.
 pub const GUSSET_WELDING_SEW: gusset_welding = 0;
 /// Nothing is welded.
 pub const GUSSET_WELDING_NONE: gusset_welding = 1;
-/// Sewn where they match vertex by vertex, as in gusset_weld.
+/// Sewn where vertices match, as by gusset_weld.
 pub const GUSSET_WELDING_EDGE_TO_EDGE: gusset_welding = 2;
 
 /// Widest gap to close.
 pub type gusset_gap = u32;
-/// The width of a gap is the larger mean distance from either loop to the nearest points of the
-/// other.
+/// A gap's width is the larger mean distance from either loop to the other's nearest points.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
-///   radius (mean distance from the loop's centre) if more. The only two loops, on two pieces, are
-///   joined at any distance, unless they lie beside each other.
+///   radius (mean distance from the loop's centre) if more. Any gap between the only two loops, on
+///   two pieces, unless they lie beside each other.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
 /// - Slits: one mean edge, and half the mean radius unless the slit is narrow.
 /// - Gaps between borders that share vertices: the longest edge.
@@ -50,7 +48,7 @@ pub type gusset_join_extent = u32;
 pub const GUSSET_JOIN_LOOPS_AND_PARTS: gusset_join_extent = 0;
 /// Whole loops only.
 pub const GUSSET_JOIN_WHOLE_LOOPS: gusset_join_extent = 1;
-/// Runs of loops and slits only. Two sheets side by side never become a closed pocket.
+/// Runs of loops and slits only: two sheets side by side never become a closed pocket.
 pub const GUSSET_JOIN_PARTS: gusset_join_extent = 2;
 
 /// Treatment of overlapping pieces.
@@ -58,8 +56,8 @@ pub type gusset_overlaps = u32;
 /// Overlapping pieces stay unchanged.
 pub const GUSSET_OVERLAPS_KEEP: gusset_overlaps = 0;
 
-/// One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed. Strips that
-/// would intersect other faces are left to hole filling.
+/// One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed. Hole filling
+/// replaces strips that would intersect other faces.
 pub const GUSSET_OVERLAPS_TRIM: gusset_overlaps = 1;
 
 /// Two loops of the pieces.
@@ -68,7 +66,7 @@ pub const GUSSET_OVERLAPS_TRIM: gusset_overlaps = 1;
 pub struct gusset_loop_pair {
     /// Piece of each loop.
     pub piece: [u32; 2],
-    /// Vertex of the piece on each loop. In exclusions, UINT32_MAX for all loops of the piece.
+    /// Vertex of the piece on each loop; UINT32_MAX excludes all loops of the piece.
     pub vertex: [u32; 2],
 }
 
@@ -81,12 +79,12 @@ pub struct gusset_join_options {
     /// Treatment of coincident borders.
     pub weld: gusset_welding,
     /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components
-    /// against those that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
+    /// against those that they face. GUSSET_ORIENTATION_KEEP ignores outward and reverses nothing.
     /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     pub orientation: gusset_orientation,
     /// Widest gap to close.
     pub gap: gusset_gap,
-    /// Parts of loops to join.
+    /// Parts of loops that are joined.
     pub extent: gusset_join_extent,
     /// 1 also joins loops of one component that pairs does not name.
     /// @flag
@@ -94,11 +92,11 @@ pub struct gusset_join_options {
     /// 1 fills the remaining holes.
     /// @flag
     pub fill: u32,
-    /// Widest gap to close, finite, at least 0; 0 closes none.
+    /// Widest gap to close; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     pub max_gap: f64,
-    /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice
-    /// (see gusset_joint). No loop is in two pairs.
+    /// Pairs of whole loops to join at any distance, or NULL: two loops, or a slit twice (see
+    /// gusset_joint). No loop is in two pairs.
     /// @shape pair_count
     pub pairs: *const gusset_loop_pair,
     /// Number of pairs.
@@ -111,14 +109,13 @@ pub struct gusset_join_options {
     pub excluded_count: usize,
     /// Options of welding.
     pub weld_options: *const gusset_weld_options,
-    /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing,
-    /// intersections and finish are used; all must be valid.
+    /// Uses meridians, search, start, rows, row_count, cells, fairing, intersections and finish;
+    /// all options must be valid.
     pub strip_options: *const gusset_stitch_options,
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
-    /// GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
+    /// Ignores groups, and outward and plan_only, which must be valid. With GUSSET_OVERLAPS_TRIM,
+    /// GUSSET_KEEP_AUTO acts as GUSSET_KEEP_BORDERS.
     pub fill_options: *const gusset_fill_options,
-    /// Closed components face outwards by default. Others mostly keep the first piece's
-    /// orientation.
+    /// Open components mostly keep the first piece's orientation.
     pub outward: gusset_outward,
     /// Treatment of overlapping pieces.
     pub overlaps: gusset_overlaps,

@@ -24,7 +24,7 @@ pub const GUSSET_JOINT_SHARE_VERTEX: gusset_joint_outcome = 2;
 /// Left open: every strip would repeat an edge of the mesh.
 pub const GUSSET_JOINT_NO_STRIP: gusset_joint_outcome = 3;
 
-/// Left to hole filling: the strip between trimmed pieces would intersect other faces.
+/// Left to hole filling: between trimmed pieces, the strip would intersect other faces.
 pub const GUSSET_JOINT_WOULD_CUT: gusset_joint_outcome = 4;
 
 /// Reason for the lack of a strip.
@@ -32,13 +32,13 @@ pub type gusset_left_reason = u32;
 /// It is the only loop.
 pub const GUSSET_LEFT_ALONE: gusset_left_reason = 0;
 
-/// The loop is open, or its faces are non-manifold or not consistently oriented.
+/// The loop is open, non-manifold or not consistently oriented.
 pub const GUSSET_LEFT_NOT_SIMPLE: gusset_left_reason = 1;
 
 /// The loop has fewer than 3 vertices.
 pub const GUSSET_LEFT_TOO_SHORT: gusset_left_reason = 2;
 
-/// The loop faces another, but no strip could be made; see joints.
+/// The loop faces another, but lacks a strip; see joints.
 pub const GUSSET_LEFT_NOT_JOINED: gusset_left_reason = 3;
 
 /// The nearest loop, or the other side of a slit, is farther than allowed_gap.
@@ -62,20 +62,19 @@ pub const GUSSET_LEFT_EXCLUDED: gusset_left_reason = 8;
 pub struct gusset_piece_map {
     /// Index of each vertex; several may share one.
     pub vertices: gusset_indices,
-    /// Index of each face; for a split triangle, of its first part, which the others follow.
+    /// Index of each face; a split triangle's first part, which the others follow.
     pub faces: gusset_indices,
 }
 
 /// Two loops, or runs of loops, that face each other. Indices are in the result.
 ///
 /// If borders coincide in part, sewing leaves a slit: a loop along the rest of both. In a slit
-/// joined with itself, both sides are on it, one with both ends; whole is 0, and the strip lacks
-/// interior rows.
+/// joined with itself, both sides are on it, one with both ends; whole is 0, without rows.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
-    /// Vertices of each side in order, before components are turned outwards. If joined, both run
-    /// from the first meridian on.
+    /// Vertices of each side in order, before turning components outwards. If joined, both run from
+    /// the first meridian on.
     pub side: [gusset_indices; 2],
     /// Mean width of the gap.
     pub gap: f64,
@@ -87,7 +86,7 @@ pub struct gusset_joint {
     pub face_first: usize,
     /// Number of faces.
     pub face_count: usize,
-    /// Pairs of intersecting faces, as in gusset_stitch_report.
+    /// As in gusset_stitch_report.
     /// @shape * 2
     pub intersections: gusset_indices,
     /// 1 if searched for.
@@ -98,19 +97,18 @@ pub struct gusset_joint {
     /// 1 if both sides are whole loops.
     /// @flag
     pub whole: u32,
-    /// Surface made; a strip may replace a blend.
+    /// Surface between the rims, or in a hole.
     pub finish: gusset_finish,
 }
 
-/// Boundary loop of the sewn pieces without a strip, even if filled later.
+/// Boundary loop of the sewn pieces without a strip, even if filled.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_left_loop {
     /// Vertices in the result, in order.
     pub vertices: gusset_indices,
-    /// Mean distance to the loop nearest to most vertices, on another component if any. Infinite
-    /// without one, or if this loop cannot carry a strip. For a slit too wide: mean distance of its
-    /// sides.
+    /// Mean distance to the loop nearest to most vertices, on another component if any; infinite
+    /// without one, or if this loop cannot carry a strip. Too wide slit: mean distance of sides.
     pub gap: f64,
     /// Largest gap that could be joined; 0 without another loop.
     pub allowed_gap: f64,
@@ -147,14 +145,13 @@ pub struct gusset_join_report {
     pub holes: *const gusset_hole,
     /// Number of holes.
     pub hole_count: usize,
-    /// Rim vertices of holes, in the order before components are turned outwards.
+    /// Rim vertices of holes, in order, before turning components outwards.
     pub hole_rims: gusset_indices,
-    /// Old faces reversed against their pieces, by index in the result. New faces agree with the
-    /// faces beside them.
+    /// Old faces reversed against their pieces, by index in the result.
     pub turned: gusset_indices,
     /// A face of each non-orientable component.
     pub one_sided: gusset_indices,
-    /// A face of each closed component of volume 0 up to rounding. Empty with
+    /// A face of each closed component of volume 0 up to rounding; none with
     /// GUSSET_ORIENTATION_KEEP or GUSSET_OUTWARD_KEEP.
     pub zero_volume: gusset_indices,
     /// Vertices merged into another.
@@ -171,29 +168,28 @@ pub struct gusset_join_report {
     pub near_loops_left: u32,
     /// Faces removed from overlaps.
     pub trimmed_faces: u32,
-    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    /// As in gusset_weld_report.
     pub near_edge_pairs: u32,
-    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    /// As in gusset_weld_report.
     pub near_tolerance: f64,
-    /// Trimmed faces that no kept face covers, piece and face of each, ascending. Kept faces are
-    /// farther than max_distance of the trimming, or face another side.
+    /// Trimmed faces, as (piece, face), ascending, without a kept face within max_distance of the
+    /// trimming that faces the same way.
     /// @shape * 2
     pub lost_faces: gusset_indices,
-    /// Piece and vertex of each loop in left: the first vertex on it that a piece has, UINT32_MAX
-    /// twice without one.
+    /// Piece and vertex for each loop in left: the first that a piece has, else UINT32_MAX twice.
     /// @shape * 2
     pub left_origins: gusset_indices,
-    /// Pairs of intersecting faces, as in gusset_fill_report.
+    /// As intersections of gusset_fill_report.
     /// @shape * 2
     pub hole_intersections: gusset_indices,
-    /// Length of the segments in which the strip of each joint intersects faces.
+    /// Length along which each joint's strip intersects faces.
     /// @shape joint_count
     pub joint_cut_lengths: *const f64,
-    /// Length of the segments in which the patch of each hole intersects faces.
+    /// Length along which each hole's patch intersects faces.
     /// @shape hole_count
     pub hole_cut_lengths: *const f64,
     /// For each joint, 1 if its strip intersects faces and a blend would not, else 0. Tried with
-    /// GUSSET_INTERSECTIONS_AUTO on pieces that are not trimmed.
+    /// GUSSET_INTERSECTIONS_AUTO on untrimmed pieces.
     /// @shape joint_count
     pub blend_avoids_cuts: *const u32,
     /// 1 if intersections of patches were searched for.

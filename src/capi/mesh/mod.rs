@@ -1,5 +1,7 @@
-//! Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a
-//! boundary edge, with three or more a non-manifold edge. Memory is linear unless stated.
+//! Meshes: A boundary edge has one face, a non-manifold edge three or more. Tolerances, gaps and
+//! distances in options are finite and at least 0. Results keep the bits of old positions;
+//! developments flatten them. A reversed face keeps its first corner. Memory is linear unless
+//! stated.
 
 pub mod result;
 pub mod join;
@@ -55,15 +57,15 @@ pub const GUSSET_U64: gusset_index = 1;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_indices {
-    /// First index; may be NULL if count is 0.
+    /// May be NULL if count is 0.
     pub data: *const u32,
     /// Number of indices.
     pub count: usize,
 }
 
-/// Polygon mesh in arrays of the caller (input) or of a result (output). Input arrays must not
-/// change during the call; their lengths are not checked. Counts are checked before elements.
-/// Outputs have packed positions, face_offsets, and face_size 0. Inputs have
+/// Polygon mesh of the caller (input) or of a result (output). Input arrays must not change during
+/// the call; their lengths are not checked. Counts are checked before elements. Outputs have packed
+/// positions, and face_size 0. Inputs have
 /// - a vertex and a face (EMPTY_MESH),
 /// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
 /// - at least 3 corners a face (FACE_TOO_SMALL),
@@ -77,18 +79,17 @@ pub struct gusset_mesh_view {
     pub struct_size: usize,
     /// x, y, z at each stride.
     pub positions: *const c_void,
-    /// Bytes from one position to the next; 0 if packed.
+    /// Stride in bytes; 0 if packed.
     pub position_stride: usize,
     /// Number of vertices.
     pub vertex_count: usize,
-    /// face_count + 1 entries: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL
-    /// with face_size.
+    /// Face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with face_size.
     pub face_offsets: *const c_void,
-    /// Vertex of each corner, face by face. Corner h also names the half-edge that starts there.
+    /// Vertex of each corner, face by face. Corner h also names the half-edge from it.
     pub face_corners: *const c_void,
     /// Number of faces.
     pub face_count: usize,
-    /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
+    /// Must be set: 0 is invalid.
     pub scalar: gusset_scalar,
     /// Type of indices.
     pub index: gusset_index,
@@ -96,10 +97,10 @@ pub struct gusset_mesh_view {
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
-    /// Representative of each vertex, or NULL. Vertices with one representative are one vertex of
-    /// the surface, so texture seams are not borders; see gusset_mesh_find_merge. A representative
-    /// represents itself, and its position counts. Results list representatives; their faces keep
-    /// the given vertices.
+    /// Representative of each vertex, or NULL; see gusset_mesh_find_merge. Vertices with one
+    /// representative are one, so texture seams are not borders. A representative represents
+    /// itself, and its position counts. Results list representatives; faces keep the given
+    /// vertices.
     pub merge: *const c_void,
 }
 

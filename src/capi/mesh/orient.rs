@@ -19,13 +19,13 @@ use gusset_base::alloc;
 pub struct gusset_orient_options {
     /// sizeof(gusset_orient_options).
     pub struct_size: usize,
-    /// For closed components.
+    /// Side that closed components face.
     pub outward: gusset_outward,
     /// 0.
     pub reserved: u32,
 }
 
-/// Faces that were turned over, and components that cannot be oriented.
+/// Faces turned over, and components that cannot be oriented.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_orient_report {
@@ -39,11 +39,11 @@ pub struct gusset_orient_report {
     pub face_count: usize,
     /// Smallest face of each non-orientable component, ascending.
     pub one_sided_faces: gusset_indices,
-    /// For each of them, a half-edge at which its faces cannot agree.
+    /// For each of them, a half-edge where faces cannot agree.
     pub one_sided_half_edges: gusset_indices,
     /// Faces turned over.
     pub turned_faces: u32,
-    /// Components: faces connected across edges with two faces. A degenerate face is a component.
+    /// Components: faces connected by edges with two faces. A degenerate face is one.
     pub component_count: u32,
     /// Closed components that face outwards only by GUSSET_OUTWARD_CLOSED.
     pub inverted_components: u32,
@@ -55,9 +55,9 @@ versioned! { gusset_orient_options: 16 reserved, gusset_orient_report: 72 }
 
 /// Turns faces over until the two faces of each edge run it in opposite directions.
 ///
-/// In each component the fewest faces are turned; on a tie, its smallest face stays. Non-manifold
-/// edges connect nothing. Non-orientable components stay unchanged and are listed. A turned face
-/// keeps its first corner. Vertices and the order of faces do not change.
+/// Each component turns the fewest faces; on a tie, its smallest face stays. Non-manifold edges
+/// connect nothing. Non-orientable components stay unchanged and are listed. Vertices and the order
+/// of faces do not change.
 ///
 /// @errors as gusset_mesh_view
 /// @complexity O(H log d).
@@ -85,9 +85,7 @@ pub unsafe extern "C" fn gusset_orient(
     })
 }
 
-/// Lends the report of an orientation.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_orient(

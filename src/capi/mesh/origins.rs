@@ -25,11 +25,11 @@ c_enum! {
     }
 }
 
-/// Sources of a result's vertices, corners and faces.
+/// Sources of a result's elements.
 ///
-/// - An old element has itself, a merged vertex all its vertices in equal parts.
+/// - An old element has itself; a merged vertex all its vertices in equal parts.
 /// - A new vertex has the rim vertices around it, by its place on plain triangles between them,
-///   before fairing. A vertex put on an edge has its ends.
+///   before fairing; on an edge, its ends.
 /// - A new face has the face across the nearest rim edge (the first of equals). Its corners have
 ///   the old corners there, on its own side if it shares an edge with old faces.
 pub struct gusset_origins(pub(crate) Origins);

@@ -1,7 +1,8 @@
-//! Repair: Makes a valid solid of any polygon mesh, and unites solids.
+//! Repair: Makes meshes valid solids, and unites solids.
 //!
-//! @source Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, Mesh arrangements for solid geometry (2016),
-//! for cells; M. Attene, A lightweight approach to repairing digitized polygon meshes (2010).
+//! @source Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, Mesh arrangements for solid geometry
+//!     (2016), for cells; M. Attene, A lightweight approach to repairing digitized polygon meshes
+//!     (2010).
 
 use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
@@ -21,12 +22,12 @@ use gusset_base::alloc;
 pub struct gusset_repair_options {
     /// sizeof(gusset_repair_options).
     pub struct_size: usize,
-    /// Distance at which borders coincide, as in gusset_weld_options.
+    /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
     /// 1: borders are not sewn.
     /// @flag
     pub leave_borders: u32,
-    /// Largest distance of coincident borders, finite, at least 0.
+    /// Largest distance of coincident borders.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
     /// 1: faces without area stay.
@@ -41,18 +42,18 @@ pub struct gusset_repair_options {
     /// 1: holes stay open.
     /// @flag
     pub leave_holes: u32,
-    /// 1: open sheets stay that were attached to a closed component.
+    /// 1: open sheets that were attached to closed components stay.
     /// @flag
     pub leave_fins: u32,
     /// 1: no component is oriented.
     /// @flag
     pub leave_orientation: u32,
-    /// 1: faces that intersect stay.
+    /// 1: intersecting faces stay.
     /// @flag
     pub leave_intersections: u32,
     /// 0.
     pub reserved: u32,
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    /// Ignores groups, and outward and plan_only, which must be valid.
     pub fill_options: *const gusset_fill_options,
 }
 
@@ -75,24 +76,22 @@ impl gusset_repair_options {
     }
 }
 
-/// Makes a valid solid of a mesh, and changes only faces at its defects. Stages, in order:
-/// - Borders that coincide are sewn, as by gusset_sew. Without a given tolerance, narrow gaps are
+/// Makes a valid solid of a mesh, and changes only faces at defects. Stages, in order:
+/// - Coincident borders are sewn, as by gusset_sew. Without a given tolerance, narrow gaps are
 ///   closed.
-/// - Faces without area are dropped; their neighbours meet in their place.
+/// - Faces without area are dropped; their neighbours meet there.
 /// - Duplicate faces are dropped, except the first.
 /// - Holes are filled, as by gusset_fill.
-/// - Where edges have three or more faces, the faces divide space into cells. Faces with the solid
-///   on both sides are dropped. The others are separated into sheets with their own vertices.
-/// - Holes of separated sheets are filled. Open sheets that were attached to a closed component are
-///   dropped.
+/// - Around non-manifold edges, faces divide space into cells. Faces with the solid on both sides
+///   are dropped, others separated into sheets with their own vertices.
+/// - Holes of sheets are filled. Open sheets that were attached to closed components are dropped.
 /// - Components are oriented, and closed ones turned outwards.
-/// - Closed components with faces that intersect are replaced by their union: the border of the
-///   points with a winding number of at least 1. Faces that no other meets stay as they are.
+/// - Closed components with intersecting faces are united, as by gusset_unite.
 ///
 /// The solid consists of the cells with a winding number other than 0, if crossing faces from front
-/// to back adds 1 consistently; otherwise of all bounded cells. Old faces keep their order, and old
-/// vertices their bits. Unused vertices are removed. Vertices merged by the mesh's merge map stay
-/// merged. Faces of open components that intersect stay, and are listed. A second repair of a valid result changes nothing.
+/// to back adds 1 consistently. Otherwise it consists of all bounded cells. Old faces keep their
+/// order. Unused vertices are removed. Vertices merged by the merge map stay merged. Intersecting
+/// faces of open components stay, and are listed. Repairing a valid result changes nothing.
 ///
 /// @errors as gusset_weld, OUT_OF_RANGE, TOO_LARGE (the result)
 /// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting
@@ -113,18 +112,19 @@ pub unsafe extern "C" fn gusset_repair(
     })
 }
 
-/// Unites closed pieces: returns the border of all points with a winding number of at least 1. Pieces may
-/// intersect, touch, coincide or lie within each other, and intersect themselves. Walls of cavities look into the
-/// cavities. Inverted parts outside vanish. Faces that no other meets stay as they are, and old vertices keep their
-/// bits. New vertices are rounded to the first piece's scalar type. Border edges of two pieces may close each other.
+/// Unites closed pieces: returns the border of all points with a winding number of at least 1.
+/// Pieces may intersect themselves, and intersect, touch, coincide with or lie within others. Walls
+/// of cavities look into the cavities. Inverted parts outside vanish. Faces that no other meets
+/// stay unchanged. New vertices are rounded to the first piece's scalar type. Border edges of two
+/// pieces may close each other.
 ///
-/// gusset_result_get_repair lends the report. Old vertices and faces are numbered piece after piece.
-/// Dropped faces have the reason GUSSET_DROP_OVERLAP. Intersecting pairs remain only where
-/// rounding makes them again and again.
+/// gusset_result_get_repair lends the report. It numbers old vertices and faces piece after piece;
+/// dropped faces have GUSSET_DROP_OVERLAP. Intersecting pairs remain only where rounding keeps
+/// making them.
 ///
-/// @param pieces at least one; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view, EMPTY_MESH (also if nothing remains), MIXED_SCALARS, MESH_NOT_CLOSED (input and index
-///     name a face at an open edge), TOO_LARGE
+/// @param pieces as for gusset_join.
+/// @errors as gusset_mesh_view, EMPTY_MESH (also if nothing remains), MIXED_SCALARS,
+///     MESH_NOT_CLOSED (with input and face at an open edge), TOO_LARGE
 /// @complexity O((n + k) log n) for n triangles of which k pairs intersect.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -142,9 +142,7 @@ pub unsafe extern "C" fn gusset_unite(
     })
 }
 
-/// Lends the report of a repair or a union.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report of a repair or union.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_repair(

@@ -1,4 +1,4 @@
-//! Report of a repair: Lists the changes and the defects that remain.
+//! Report of a repair: Changes and remaining defects.
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{Choice, lend_list};
@@ -17,49 +17,48 @@ pub const GUSSET_DROP_ZERO_AREA: gusset_drop_reason = 1;
 pub const GUSSET_DROP_DUPLICATE: gusset_drop_reason = 2;
 /// The solid lies on both sides.
 pub const GUSSET_DROP_INSIDE: gusset_drop_reason = 3;
-/// Part of an open sheet that was attached to a closed component.
+/// Part of an open sheet attached to a closed component.
 pub const GUSSET_DROP_FIN: gusset_drop_reason = 4;
-/// The face lies in an overlapping part, or on an inverted part.
+/// The face is in an overlapping or inverted part.
 pub const GUSSET_DROP_OVERLAP: gusset_drop_reason = 5;
 
-/// Effects of a repair, and the defects that remain.
+/// Changes, and defects that the result still has (_left).
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_repair_report {
     /// sizeof(gusset_repair_report).
     pub struct_size: usize,
-    /// 1 if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate or
-    /// intersecting faces, and without faces of area 0.
+    /// 1 if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate,
+    /// intersecting or zero-area faces.
     /// @flag
     pub valid: u32,
     /// Vertices merged into others.
     pub welded_vertices: u32,
     /// Edges made from boundary edges or their parts.
     pub sewn_edges: u32,
-    /// Old faces that were split or gained corners when borders were sewn.
+    /// Old faces that sewing split or gave corners.
     pub split_faces: u32,
-    /// Copies of vertices that separate sheets of faces.
+    /// Copies of vertices that separate sheets.
     pub split_vertices: u32,
     /// Holes that were filled.
     pub filled_holes: u32,
-    /// Boundary edges of the result.
+    /// Boundary edges.
     pub boundary_edges_left: u32,
-    /// Non-manifold edges of the result.
+    /// Non-manifold edges.
     pub non_manifold_edges_left: u32,
-    /// Non-manifold vertices of the result.
+    /// Non-manifold vertices.
     pub non_manifold_vertices_left: u32,
-    /// Edges of the result whose two faces disagree in orientation.
+    /// Edges whose two faces disagree in orientation.
     pub orientation_conflicts_left: u32,
-    /// Degenerate, duplicate and zero-area faces of the result.
+    /// Degenerate, duplicate and zero-area faces.
     pub bad_faces_left: u32,
     /// 0.
     pub reserved: u32,
-    /// Largest distance at which vertices were merged; 0 without any.
+    /// Largest distance of merged vertices; 0 without any.
     pub tolerance: f64,
-    /// Old face of each face, or of which it is a part; UINT32_MAX for faces of patches, which come
-    /// last.
+    /// Old face that each face is or is part of; UINT32_MAX for patches, which come last.
     pub face_origin: gusset_indices,
-    /// Smallest old vertex that each vertex is; UINT32_MAX for new vertices, which come last.
+    /// Smallest old vertex that each vertex is; UINT32_MAX for new ones, which come last.
     pub vertex_origin: gusset_indices,
     /// For each face, 1 if it was turned over.
     /// @shape face_count
@@ -67,14 +66,14 @@ pub struct gusset_repair_report {
     pub turned: *const u8,
     /// Number of faces.
     pub face_count: usize,
-    /// Dropped old faces, ascending. Faces with a remaining part are not listed.
+    /// Old faces without a remaining part, ascending.
     pub dropped_faces: gusset_indices,
-    /// Reason for each of them.
+    /// Reason why a face was dropped.
     /// @shape dropped_count
     pub drop_reasons: *const gusset_drop_reason,
     /// Number of dropped faces.
     pub dropped_count: usize,
-    /// Pairs of faces that intersect in the result, ascending, the smaller face first.
+    /// Intersecting pairs in the result, ascending, smaller face first.
     /// @shape * 2
     pub intersecting_pairs: gusset_indices,
 }

@@ -1,4 +1,4 @@
-//! Results: The mesh that an operation makes, with the report of the operation.
+//! Results: The mesh and the report of an operation.
 
 use crate::attributes::Origins;
 use crate::capi::context::{create_handle, gusset_context, lend};
@@ -23,8 +23,7 @@ use crate::repair::weld::Weld;
 use crate::stitch::{Quality, Ruled, Stitch};
 use crate::surface::SurfaceMesh;
 
-/// Mesh made by an operation, and its report. Only the getter of this report accepts it; the others
-/// return WRONG_HANDLE.
+/// Mesh and report of an operation. Getters of other reports return WRONG_HANDLE.
 pub struct gusset_result(pub(crate) OperationResult);
 
 handle! { gusset_result }
@@ -180,8 +179,6 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
 }
 
 /// Reports the quality of a stitch or filling.
-///
-/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_quality(
@@ -195,17 +192,16 @@ pub unsafe extern "C" fn gusset_result_get_quality(
     })
 }
 
-/// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces,
-/// net or sheet.
+/// Finds the sources of a result's elements in the operation's inputs.
 ///
 /// - A strip has two polylines; its corners and faces lack sources.
-/// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
-/// - Corners and faces of a development are the surface's; each vertex has one source.
-/// - In the mesh of a net, a vertex has its first node, a face its cell, a corner its own cell's
-///   node: both sides of a seam differ.
+/// - A corner that gusset_sew added has its face's corners at both ends of the edge.
+/// - Corners and faces of a development have the surface's; each vertex has one source.
+/// - In a net's mesh, a vertex has its first node, a face its cell, a corner its own cell's node,
+///   which differs across seams.
 /// - A sheet has (rows + 1) * (columns + 1) nodes, row by row. Vertices and corners have the nodes
-///   of their cell, by parameters; faces have their cells. Where the sheet closes, corners have the
-///   nodes on their face's side.
+///   of their cell, by parameters; faces have their cells. Where sheets close, corners have nodes
+///   on their face's side.
 ///
 /// @errors TOO_LARGE
 /// @complexity O(H log n) for n corners of new faces; 16 bytes an element (sheet: 52 a vertex or

@@ -15,26 +15,26 @@ use crate::mesh::section::{
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// The side of a plane to which vertices in the plane belong.
+/// Side of vertices in a plane.
 pub type gusset_in_plane = u32;
-/// They count as above: the section is the limit of sections just below the plane.
+/// They count as above: the section is the limit from just below the plane.
 pub const GUSSET_IN_PLANE_ABOVE: gusset_in_plane = 0;
-/// They count as below: the section is the limit of sections just above the plane.
+/// They count as below: the section is the limit from just above the plane.
 pub const GUSSET_IN_PLANE_BELOW: gusset_in_plane = 1;
 
 c_enum! { in_plane: InPlane { GUSSET_IN_PLANE_ABOVE => Above, GUSSET_IN_PLANE_BELOW => Below } }
 
-/// How cutting planes are given.
+/// Kind of cutting planes.
 pub type gusset_cutting_kind = u32;
-/// Parallel planes with the normal `direction`, at the rising distances `values` from `point`.
+/// Parallel planes with the normal `direction`, at rising distances `values` from `point`.
 pub const GUSSET_CUTTING_STACK: gusset_cutting_kind = 0;
 /// Planes through `points`, each with its normal in `normals`.
 pub const GUSSET_CUTTING_PLANES: gusset_cutting_kind = 1;
-/// Planes that contain the axis through `point` along `direction`, turned from `reference` by the
-/// angles `values` about the axis. Normals point to larger angles.
+/// Planes through the axis at `point` along `direction`, turned from `reference` by the angles
+/// `values`. Normals point to larger angles.
 pub const GUSSET_CUTTING_AXIS: gusset_cutting_kind = 2;
 /// Planes across the polyline `points`, at the distances `values` from its first point along it.
-/// They turn evenly from the bisector at one vertex to the bisector at the next.
+/// They turn evenly from each vertex's bisector to the next.
 pub const GUSSET_CUTTING_CURVE: gusset_cutting_kind = 3;
 
 /// Planes that cut a mesh. Only the fields of their kind are read.
@@ -43,7 +43,7 @@ pub const GUSSET_CUTTING_CURVE: gusset_cutting_kind = 3;
 pub struct gusset_cutting_planes {
     /// sizeof(gusset_cutting_planes).
     pub struct_size: usize,
-    /// How cutting planes are given.
+    /// Kind of cutting planes.
     pub kind: gusset_cutting_kind,
     /// CURVE. 1: the polyline returns to its first point.
     pub closed: u32,
@@ -71,10 +71,10 @@ pub struct gusset_cutting_planes {
 pub struct gusset_mesh_section_options {
     /// sizeof(gusset_mesh_section_options).
     pub struct_size: usize,
-    /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0:
-    /// keeps all points. Polylines with points left out may cross each other or themselves.
+    /// Leaves out points up to this far from the polyline; 0: keeps all points. Polylines with points
+    /// left out may cross each other or themselves.
     pub tolerance: f64,
-    /// The side of a plane to which vertices in the plane belong.
+    /// Side of vertices in a plane.
     pub in_plane: gusset_in_plane,
     /// 0.
     pub reserved: u32,
@@ -86,17 +86,17 @@ pub struct gusset_mesh_section_options {
 pub struct gusset_section_path {
     /// Index of the plane.
     pub plane: u32,
-    /// 1: returns to its first point, which is not repeated.
+    /// 1: returns to its first point, not repeated.
     /// @flag
     pub closed: u32,
-    /// Smallest closed path of the same plane around a closed path, or UINT32_MAX.
+    /// Smallest closed path of the plane around a closed path, or UINT32_MAX.
     pub parent: u32,
     /// Number of closed paths around a closed path; else 0.
     pub depth: u32,
     /// Length, with all points.
     pub length: f64,
-    /// Area inside a closed path, with all points; positive if counter-clockwise seen against the
-    /// plane's normal. Else 0.
+    /// Area inside a closed path, with all points, positive if counter-clockwise seen against the
+    /// plane's normal; else 0.
     pub area: f64,
 }
 
@@ -136,8 +136,8 @@ pub struct gusset_mesh_sections_view {
     /// Parameter of each point on its edge, 0 to 1.
     /// @shape point_count
     pub parameters: *const f64,
-    /// Face of the segment after each point, the first of several after leaving out points;
-    /// UINT32_MAX at the end of an open path.
+    /// Face of the segment after each point, the first if points were left out; UINT32_MAX at an
+    /// open path's end.
     pub faces: gusset_indices,
 }
 
@@ -161,28 +161,23 @@ fn read_vectors(vectors: *const f64, count: usize, name: &'static str) -> Result
     Ok(alloc::collect(numbers.chunks_exact(3).map(DVec3::from_slice))?)
 }
 
-/// Cuts a mesh by planes into ordered polylines, with their nesting and the source of each point.
+/// Cuts a mesh by planes into ordered polylines, with nesting and sources.
 ///
 /// A polyline runs along the plane's normal x the face's normal: around a solid, outer loops are
 /// counter-clockwise seen against the plane's normal, holes clockwise.
 ///
-/// Each vertex is on a side of each plane exactly. Vertices in a plane count as above it
-/// (GUSSET_IN_PLANE_BELOW: below). A closed mesh therefore gives closed loops only, and
-/// - an edge in the plane appears where a face beside it is below (above);
-/// - a face in the plane is not drawn, only its edges by this rule;
-/// - a ridge with both faces below (above) gives a loop there and back;
-/// - a peak gives nothing.
+/// Sides of planes are exact. Vertices in a plane count as above it (GUSSET_IN_PLANE_BELOW: below).
+/// A closed mesh therefore gives closed loops only. An edge in the plane appears if a face beside
+/// it is below (above), or there and back if both are. Faces in the plane and peaks give nothing.
 ///
-/// At an edge with more than two faces, loops around the inside of solids touch but do not cross.
-/// A path ends at a border. A face with fewer than three sides between different vertices is left
-/// out.
+/// At a non-manifold edge, loops around the inside of solids touch but do not cross. Paths end at
+/// borders. Faces with fewer than three sides between different vertices are left out.
 ///
 /// @errors OUT_OF_RANGE (vectors, values, tolerance, coordinates beyond 1e150), NOT_FINITE (point),
-///     EMPTY_CURVE (polyline without length),
-///     TOO_LARGE, as gusset_mesh_view
-/// @complexity O(V log n + H + s log s) for n planes of a stack and s crossed faces, parallel; else
-///     O(n (V + H) + s log s). Nesting takes O(c log c) for c crossings of loops and lines: few lines
-///     pierce all loops, but many long loops beside many small ones make c quadratic.
+///     EMPTY_CURVE (polyline without length), TOO_LARGE, as gusset_mesh_view
+/// @complexity O(V log n + H + s log s) for n planes of a stack and s crossed faces, parallel.
+///     Otherwise O(n (V + H) + s log s). Nesting takes O(c log c) for c crossings of loops and lines:
+///     few lines pierce all loops, but many long loops beside many small ones make c quadratic.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_mesh_sections_create(
@@ -253,9 +248,9 @@ pub unsafe extern "C" fn gusset_mesh_sections_get_view(
     })
 }
 
-/// Finds the sources of the points of sections: the vertices of their edges, weighted by the
-/// parameter. The faces of the origins are the segments, one for each point, with the mesh's faces
-/// as sources. Corners are empty.
+/// Finds the sources of section points: the ends of their edges, weighted by the parameter. Faces
+/// of the origins are segments, one for each point, with the mesh's faces as sources. Corners are
+/// empty.
 ///
 /// @complexity O(points).
 #[unsafe(no_mangle)]

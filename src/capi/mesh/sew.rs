@@ -1,4 +1,4 @@
-//! Sewing: Joins coincident borders, also where their vertices do not match.
+//! Sewing: Joins coincident borders, even if vertices do not match.
 
 use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create_handle, gusset_context};
@@ -16,9 +16,9 @@ use crate::repair::sew::sew;
 pub struct gusset_sew_report {
     /// sizeof(gusset_sew_report).
     pub struct_size: usize,
-    /// Index of each old vertex in the result, as in gusset_weld_report.
+    /// As in gusset_weld_report.
     pub vertex_map: gusset_indices,
-    /// Index of each old face's first part in the result; UINT32_MAX if dropped.
+    /// Index of each old face's first part; UINT32_MAX if dropped.
     pub face_map: gusset_indices,
     /// Old face of each face of the result.
     pub face_origin: gusset_indices,
@@ -34,29 +34,28 @@ pub struct gusset_sew_report {
     pub split_faces: u32,
     /// Dropped old faces.
     pub dropped_faces: u32,
-    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    /// As in gusset_weld_report.
     pub near_edge_pairs: u32,
-    /// Largest distance at which elements coincide, except at short edges; 0 for equal positions.
+    /// As in gusset_weld_report.
     pub tolerance: f64,
-    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    /// As in gusset_weld_report.
     pub near_tolerance: f64,
 }
 
 versioned! { gusset_sew_report: 112 }
 
 /// Sews coincident borders.
-/// - Vertices are welded as by gusset_weld.
-/// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the
-///   edge is split if exactly two pieces coincide. Triangles are cut into triangles, none turned
-///   over; larger faces gain corners.
-/// - Borders are welded again.
+/// - Vertices are welded as by gusset_weld, before and after the splits.
+/// - Boundary edges are split at vertices of other borders inside them (T-junctions), if exactly
+///   two pieces coincide there. Triangles are cut into triangles, none turned over; larger faces
+///   gain corners.
 /// - A vertex lies inside an edge, longer than twice the tolerance, if it is within the tolerance
 ///   of the edge and not of its ends.
-/// - Splitting makes no non-manifold edges and no degenerate faces.
+/// - Splitting makes no non-manifold edges or degenerate faces.
 /// - The result has the old faces in order, or their parts in their places. The smallest of merged
-///   vertices remains, bit for bit. New vertices have the position of an old one.
+///   vertices remains. New vertices have old positions.
 ///
-/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before the splits, borders
+/// @param options as for gusset_weld; GUSSET_WELD_ALL welds all vertices before the splits, borders
 ///     afterwards.
 /// @errors as gusset_weld, TOO_LARGE (the result)
 /// @complexity O(H log H), if valences are small and few vertices lie inside each edge.
@@ -78,9 +77,7 @@ pub unsafe extern "C" fn gusset_sew(
     })
 }
 
-/// Lends the report of a sewing.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_sew(

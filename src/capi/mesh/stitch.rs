@@ -1,7 +1,7 @@
-//! Stitching: Joins two loops by a strip of new faces.
+//! Stitching: Joins two loops by a strip.
 //!
-//! @source Nesterenko, algorithm 2 and the intermediate mesh; best strips after H. Fuchs, Z.
-//!     Kedem and S. Uselton (1977).
+//! @source Nesterenko, algorithm 2 and the intermediate mesh; best strips after H. Fuchs, Z. Kedem
+//!     and S. Uselton (1977).
 
 use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create_handle, gusset_context};
@@ -14,48 +14,44 @@ use crate::capi::status::gusset_status;
 use crate::stitch::{Request, stitch};
 use gusset_base::alloc;
 
-/// Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second.
+/// Parts of a stitch, by index in the result. Entry 0 is the first mesh's, 1 the second's.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stitch_report {
     /// sizeof(gusset_stitch_report).
     pub struct_size: usize,
-    /// Index of each old vertex; empty for a missing second mesh.
+    /// Index of each old vertex; empty without a second mesh.
     pub vertex_map: [gusset_indices; 2],
     /// Index of each old face.
     pub face_map: [gusset_indices; 2],
-    /// Vertices of each rim, side by side from the first meridian on. The surface is left of rim 0
-    /// and right of rim 1, before components are turned outwards. The strip's mesh begins with rim
-    /// 0, then rim 1.
+    /// Vertices of each rim from the first meridian on. Before turning components outwards, the
+    /// surface is left of rim 0 and right of rim 1.
     pub rim: [gusset_indices; 2],
-    /// Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole
-    /// rims of N and M vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1,
-    /// M - 1). A step advances i or j by 1; with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD
-    /// also both.
+    /// Pairs (i, j) of rim indices, the matrix H. Whole rims of N and M vertices: from (0, 0) to
+    /// (N, M), where index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1; with
+    /// GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD also both.
     /// @shape * 2
     pub meridians: gusset_indices,
     /// The matrix P: vertices row by row from rim 0 to rim 1, a column for each meridian.
     /// @shape row_count+2 *
     pub matrix: gusset_indices,
-    /// Three rim vertices for each new vertex; new vertices come last. In a row: the ends of the
-    /// meridian, the one on rim 1 twice. In a blend: the corners of the strip triangle that holds
-    /// the unfaired vertex.
+    /// Three rim vertices for each new vertex. In a row: the meridian's ends, rim 1's twice. In a
+    /// blend: the corners of the strip triangle around the unfaired vertex.
     /// @shape * 3
     pub parents: gusset_indices,
     /// Weights of the parents, at least 0, sum 1. In row k of r: 1 - k / (r + 1), k / (r + 1), 0.
     /// @shape parents 3
     pub weights: *const f64,
-    /// First face of the strip, which comes last.
+    /// First face of the strip.
     pub strip_face_first: usize,
-    /// Faces of the strip: N + M triangles for whole rims without rows, except in a blend.
+    /// N + M triangles for whole rims without rows, except in a blend.
     pub strip_face_count: usize,
     /// Interior rows, two less than in the matrix; 0 for a blend.
     pub row_count: u32,
-    /// 1 for a closed band, 0 for a strip between arcs.
+    /// 1 for a closed band, 0 between arcs.
     /// @flag
     pub closed: u32,
-    /// 1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first
-    /// corners.
+    /// 1 if rim 1's component was reversed.
     /// @flag
     pub turned: u32,
     /// 1 if searched for.
@@ -66,38 +62,38 @@ pub struct gusset_stitch_report {
     /// as by gusset_triangulate. A self-intersecting polygon is paired with itself.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// Times that fairing of rows, or of the kept blend, was moved back.
+    /// Times that faired rows, or the kept blend, moved back.
     pub back_off_count: u32,
-    /// Surface made; a strip may replace a blend.
+    /// Surface between the rims, or in a hole.
     pub finish: gusset_finish,
-    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
+    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending.
     pub turned_outwards: gusset_indices,
 }
 
 versioned! { gusset_stitch_report: 192 }
 
-/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
-/// between whole loops, or open between facing arcs.
+/// Joins two boundary loops, of two meshes or of one, by a strip: a closed band between whole
+/// loops, or open between facing arcs.
 ///
-/// The result has the vertices of A, B, then new ones; all faces of A, B, then the strip. Positions
-/// have the scalar type of A; old ones keep their bits. An arc of one vertex gets a fan, which
-/// touches its piece there only; two such arcs get one meridian and no face.
+/// The result has the vertices of A, B, then new ones, in A's scalar type; the faces of A, B, then
+/// the strip. An arc of one vertex gets a fan, which touches its piece there only; two get one
+/// meridian and no face.
 ///
-/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by boundary
-///     edges. If both loops are NULL, the two nearest are joined; if one, the nearest to the other.
-///     Candidates are closed, of at least 3 vertices, manifold and consistently oriented; two of
-///     one mesh share no vertex.
+/// @param loop_a vertices in order, in either direction, cyclically joined by boundary edges. If
+///     both loops are NULL, the two nearest are joined; if one, the nearest to the other.
+///     Candidates are closed, manifold, consistently oriented, of at least 3 vertices; two of one
+///     mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
-/// @param loop_b as loop_a, for mesh_b, or for mesh_a if mesh_b is NULL.
+/// @param loop_b as loop_a, on mesh_b if given.
 /// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
 ///     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
 ///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS, TOO_LARGE
 /// @complexity O(H log d). Meridians O(N M), above 2^21 pairs of vertices and for simple rules O((N
-///     + M) log M). Fairing and intersections O(n log n), and a test for each pair of overlapping
-///     triangle boxes. Blend of n vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops:
-///     a box test a pair. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M
-///     bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes a
-///     pair, 8 if the best strip would repeat an edge. Several threads and two starts double that.
+///     + M) log M). Fairing and intersections O(n log n), and a test a pair of overlapping triangle
+///     boxes. Blend of n vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops: a box
+///     test a pair. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M bytes per
+///     2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes a pair, 8 if the
+///     best strip would repeat an edge; several threads and two starts double that.
 /// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -127,9 +123,7 @@ pub unsafe extern "C" fn gusset_stitch(
     })
 }
 
-/// Lends the strip alone: rim vertices, new vertices, new faces.
-///
-/// @errors WRONG_HANDLE
+/// Lends the strip alone: vertices of rim 0, rim 1, new ones, and the new faces.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip_mesh(
@@ -139,9 +133,7 @@ pub unsafe extern "C" fn gusset_result_get_strip_mesh(
     report!(result, view, "gusset_stitch", OperationResult::Stitch(done) => mesh::lend_mesh(&done.strip))
 }
 
-/// Lends the report of a stitch.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_stitch(

@@ -1,4 +1,4 @@
-//! Options of stitching: How a strip is chosen, subdivided and smoothed.
+//! Options of stitching: Choice, subdivision and fairing of strips.
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::read_choice;
@@ -9,19 +9,18 @@ use crate::stitch::{
     Cells, Extent, Fairing, Finish, Intersections, MeridianSearch, Meridians, Options, Orientation, Rows, Start,
 };
 
-/// Rule for the meridians. A meridian is a strip's edge from rim A to rim B.
+/// Rule for the meridians. A meridian is a strip's edge from rim A to rim B. INDEX, ARC_LENGTH and
+/// GREEDY take O(N + M). If ARC_LENGTH or GREEDY would repeat an edge, MIN_DIAGONAL applies.
 pub type gusset_meridians = u32;
 /// Triangle strip that best continues both surfaces. It bends little, above all along the rims, and
-/// follows the tangent planes there. The default search stays near the strip of least area, which
-/// gusset_strip makes.
+/// follows their tangent planes. The default search stays near the strip of least area;
+/// gusset_strip makes that.
 pub const GUSSET_MERIDIANS_CONTINUATION: gusset_meridians = 0;
-/// Vertices paired in proportion to their indices, O(N + M); suits evenly spaced rims.
+/// Vertices paired in proportion to their indices; suits evenly spaced rims.
 pub const GUSSET_MERIDIANS_INDEX: gusset_meridians = 1;
-/// Vertices paired in proportion to arc length, O(N + M). GUSSET_MERIDIANS_MIN_DIAGONAL applies if
-/// that repeats an edge.
+/// Vertices paired in proportion to arc length.
 pub const GUSSET_MERIDIANS_ARC_LENGTH: gusset_meridians = 2;
-/// Always the shorter of the two next meridians, O(N + M). GUSSET_MERIDIANS_MIN_DIAGONAL applies if
-/// that repeats an edge.
+/// Always the shorter of the two next meridians.
 pub const GUSSET_MERIDIANS_GREEDY: gusset_meridians = 3;
 /// Triangle strip of least total meridian length.
 pub const GUSSET_MERIDIANS_MIN_DIAGONAL: gusset_meridians = 4;
@@ -36,16 +35,16 @@ pub const GUSSET_MERIDIANS_MIN_AREA: gusset_meridians = 7;
 
 /// Search effort.
 pub type gusset_strip_search = u32;
-/// Exact up to 2^21 pairs of vertices. Beyond, coarse to fine in nearly linear time and linear
-/// memory, usually within 0.1 % of the optimum.
+/// Exact up to 2^21 vertex pairs. Beyond, coarse to fine in nearly linear time and linear memory,
+/// usually within 0.1 % of the optimum.
 pub const GUSSET_SEARCH_AUTO: gusset_strip_search = 0;
 /// Exact, in O(N M) time; gusset_stitch states the memory.
 pub const GUSSET_SEARCH_EXACT: gusset_strip_search = 1;
 
-/// First meridian of a closed strip.
+/// First meridian of a closed strip; open ones start at their first points.
 pub type gusset_strip_start = u32;
-/// The better strip from the closest pair of vertices, or from the closest after rotating rim B
-/// along rim A to the best fit.
+/// The better strip from the closest pair of vertices, before or after rotating rim B along rim A
+/// to the best fit.
 pub const GUSSET_START_AUTO: gusset_strip_start = 0;
 /// The closest pair of vertices.
 pub const GUSSET_START_CLOSEST: gusset_strip_start = 1;
@@ -58,23 +57,20 @@ pub type gusset_fairing = u32;
 /// New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a
 /// patch.
 pub const GUSSET_FAIRING_NONE: gusset_fairing = 0;
-/// The new surface bends like a thin plate and meets the old one smoothly: least sum of squared
-/// Laplacians over new vertices and rims. Rims and ends of an open strip stay fixed.
+/// A thin plate that meets the old surface smoothly: least sum of squared Laplacians over new
+/// vertices and rims. Rims and ends of open strips stay fixed.
 pub const GUSSET_FAIRING_THIN_PLATE: gusset_fairing = 1;
 
 /// Treatment of intersecting faces.
 pub type gusset_intersections = u32;
 /// Finds intersections of the strip, and reduces them:
-/// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip
-///   tried is kept. If the mean meridian is longer than a radius, the strip of
-///   GUSSET_MERIDIANS_SMOOTH competes. It is kept if it has fewer intersections, or as many and
-///   much smaller bends.
-/// - Rows by GUSSET_MERIDIANS_CONTINUATION use the meridians of that strip if the gap is so wide, or
-///   if they would intersect.
-/// - Faired rows move back locally, at most 12 times; straight rows are kept if they intersect
-///   less.
-/// - Blends move back likewise, then get less fairing. The best blend is kept, or the strip if
-///   every blend intersects more.
+/// - With GUSSET_MERIDIANS_CONTINUATION, a triangle strip without rows is rerouted; the best one is
+///   kept. If the mean meridian is longer than a radius, GUSSET_MERIDIANS_SMOOTH competes by fewer
+///   intersections, or as many and much smaller bends. Rows use this strip's meridians if the gap
+///   is so wide, or they would intersect.
+/// - Faired rows move back locally, at most 12 times. Straight rows that intersect less win.
+/// - Blends move back likewise, then get less fairing. The best blend is kept, or a strip that
+///   intersects less.
 pub const GUSSET_INTERSECTIONS_AUTO: gusset_intersections = 0;
 /// No search: rows are faired in full, and the first blend is kept.
 pub const GUSSET_INTERSECTIONS_IGNORE: gusset_intersections = 1;
@@ -83,9 +79,9 @@ pub const GUSSET_INTERSECTIONS_REPORT: gusset_intersections = 2;
 
 /// Treatment of opposite orientations.
 pub type gusset_orientation = u32;
-/// If the component of rim B is oriented against rim A, it is reversed, whichever is inside out.
-/// Within one component nothing is reversed. Whole rims are compared as curves. If both face one
-/// way, the sides of their surfaces decide. An inconclusive comparison reverses nothing.
+/// Reverses the component of rim B if it is oriented against rim A, whichever is inside out;
+/// nothing within one component. Whole rims are compared as curves. If both face one way, the sides
+/// of their surfaces decide. An inconclusive comparison reverses nothing.
 pub const GUSSET_ORIENTATION_FIX: gusset_orientation = 0;
 /// Opposite orientations return GUSSET_ERROR_ORIENTATION_CONFLICT.
 pub const GUSSET_ORIENTATION_REFUSE: gusset_orientation = 1;
@@ -99,9 +95,9 @@ pub const GUSSET_EXTENT_WHOLE_LOOPS: gusset_stitch_extent = 0;
 /// Runs of facing vertices, as in gusset_facing_create; may return GUSSET_ERROR_PLANES_UNDECIDED.
 pub const GUSSET_EXTENT_OPEN_ARCS: gusset_stitch_extent = 1;
 /// Whole loops if their normals make less than 60 degrees with the line of centres (mean of
-/// cosines), or if the planes are undecided. Else open arcs.
+/// cosines), or the planes are undecided. Else open arcs.
 pub const GUSSET_EXTENT_AUTO: gusset_stitch_extent = 2;
-/// The arcs arc_a and arc_b. A loop that is not given is indexed as by gusset_boundary_get_loop.
+/// The arcs arc_a and arc_b. Loops not given are indexed as by gusset_boundary_get_loop.
 pub const GUSSET_EXTENT_ARCS: gusset_stitch_extent = 3;
 
 /// Choice among runs of facing vertices.
@@ -122,8 +118,8 @@ pub const GUSSET_CENTRES_LENGTH: gusset_centres = 1;
 pub type gusset_row_rule = u32;
 /// 0: each meridian is one edge.
 pub const GUSSET_ROWS_NONE: gusset_row_rule = 0;
-/// max(0, round(mean meridian length / mean edge length of both meshes) - 1). At most about 50,000
-/// new vertices, or 16 rows if those are more; a note says if this limit applies.
+/// max(0, round(mean meridian length / mean edge length of both sides) - 1). At most about 50,000
+/// new vertices, or 16 rows if more; the log says if so limited.
 pub const GUSSET_ROWS_MEAN_EDGE: gusset_row_rule = 1;
 /// row_count.
 pub const GUSSET_ROWS_COUNT: gusset_row_rule = 2;
@@ -135,22 +131,21 @@ pub const GUSSET_CELLS_TRIANGLES: gusset_strip_cells = 0;
 /// Quads, and triangles where a rim repeats a vertex.
 pub const GUSSET_CELLS_QUADS: gusset_strip_cells = 1;
 
-/// Surface between the rims, or in a hole. One word for the best-looking result: BLEND.
+/// Surface between the rims, or in a hole.
 pub type gusset_finish = u32;
-/// Strip of meridians, with interior rows. In a hole: the patch that the other options describe.
+/// Strip of meridians, with interior rows. In a hole: the patch that other options describe.
 pub const GUSSET_FINISH_STRIP: gusset_finish = 0;
-/// Smooth joint, tangent to both pieces. Triangles are about as fine as along the rims, graded
-/// between, without sharp angles where the rims allow. It smooths the ridges of a strip without
-/// rows. A tube closes a gap in a tube, within some per cent of the radius across a few radii. Across
-/// a gap wider than a radius the joint of two tubes bends as an arc between their axes.
-/// Meridians and matrix describe the strip, not edges of the result. Ignores rows, cells and
-/// fairing. In a hole: a patch with new vertices as dense as those around it, faired. In a join, for
-/// strips and holes.
-/// - Not for machined parts and flat walls: it rounds what should be straight. Not for CAD
-///   tolerances, printing, or volumes alone: a strip has far fewer faces.
+/// Smooth joint, tangent to both pieces, which looks best. Triangles are about as fine as along the
+/// rims, graded between, without sharp angles where the rims allow. Two tubes are joined by a tube,
+/// within some per cent of the radius across a few radii. Across wider gaps than a radius it bends
+/// as an arc between the axes. Meridians and matrix describe the strip, not edges of the result.
+/// Ignores rows, cells, fairing and refine. In a hole: a faired patch as dense as its surroundings.
+/// In a join, for strips and holes.
+/// - Not for machined parts and flat walls, which it rounds. For CAD tolerances, printing or
+///   volumes alone, a strip has far fewer faces.
 ///
 /// The strip is kept if every blend intersects more, or exceeds about 50,000 new vertices, or 16 a
-/// rim vertex if more. To meet that limit, edges grow up to twice as long.
+/// rim vertex if more. Edges up to twice as long keep to that limit.
 pub const GUSSET_FINISH_BLEND: gusset_finish = 1;
 
 /// Source of the tolerance.
@@ -169,11 +164,11 @@ pub type gusset_outward = u32;
 pub const GUSSET_OUTWARD_AUTO: gusset_outward = 0;
 /// Closed components stay unchanged; gusset_orient chooses the original side of most faces.
 pub const GUSSET_OUTWARD_KEEP: gusset_outward = 1;
-/// Closed components face outwards, and walls of cavities face into the cavities. A component is the
-/// wall of a cavity if an odd number of closed components enclose it. Components that cross, or
-/// touch in more than vertices and edges, do not enclose each other. If the volume is 0 up to
-/// rounding, GUSSET_OUTWARD_KEEP applies. Except in gusset_orient, only components that are closed
-/// (two faces at every edge) and consistently oriented are reversed.
+/// Closed components face outwards, and walls of cavities into the cavities. An odd number of
+/// closed components enclose the wall of a cavity. Components that cross, or touch in more than
+/// vertices and edges, do not enclose each other. If the volume is 0 up to rounding,
+/// GUSSET_OUTWARD_KEEP applies. Except in gusset_orient, only components with two faces at every
+/// edge and consistent orientation are reversed.
 pub const GUSSET_OUTWARD_CLOSED: gusset_outward = 2;
 
 /// Options of gusset_stitch.
@@ -186,9 +181,9 @@ pub struct gusset_stitch_options {
     pub meridians: gusset_meridians,
     /// Treatment of opposite orientations.
     pub orientation: gusset_orientation,
-    /// Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in
-    /// vertices in the direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for
-    /// arcs (OUT_OF_RANGE).
+    /// Vertices to shift the first meridian along rim B, in the direction of rim A, modulo rim B.
+    /// The shift begins at the closest pair that no edge joins. If not 0, no other start is tried.
+    /// 0 for arcs (OUT_OF_RANGE).
     pub twist: i64,
     /// Part of the loops to join.
     pub extent: gusset_stitch_extent,
@@ -203,11 +198,11 @@ pub struct gusset_stitch_options {
     pub cells: gusset_strip_cells,
     /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0.
+    /// Facing vertices are farther than this from their loop's plane.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may
-    /// pass the loop's end.
+    /// First index on loop A as given, and number of vertices, 1 to the loop's length; may pass its
+    /// end.
     /// @when extent GUSSET_EXTENT_ARCS
     pub arc_a: [u32; 2],
     /// As arc_a, for loop B.
@@ -215,9 +210,9 @@ pub struct gusset_stitch_options {
     pub arc_b: [u32; 2],
     /// Search effort.
     pub search: gusset_strip_search,
-    /// First meridian of a closed strip.
+    /// First meridian of a closed strip; open ones start at their first points.
     pub start: gusset_strip_start,
-    /// Positions of interior rows; ignored without rows.
+    /// Positions of new vertices.
     pub fairing: gusset_fairing,
     /// Treatment of intersecting faces.
     pub intersections: gusset_intersections,
@@ -225,7 +220,7 @@ pub struct gusset_stitch_options {
     pub centres: gusset_centres,
     /// Side that closed components face.
     pub outward: gusset_outward,
-    /// Surface between the rims.
+    /// Surface between the rims, or in a hole.
     pub finish: gusset_finish,
     /// 0.
     pub reserved: u32,

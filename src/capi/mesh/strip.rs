@@ -1,4 +1,4 @@
-//! Strips: Builds a strip between two polylines without a mesh.
+//! Strips: Joins two polylines without a mesh.
 //!
 //! @source H. Fuchs, Z. Kedem and S. Uselton (1977); Nesterenko.
 
@@ -25,12 +25,12 @@ pub struct gusset_strip_options {
     pub meridians: gusset_meridians,
     /// Search effort.
     pub search: gusset_strip_search,
-    /// First meridian of closed polylines; open ones start at their first points.
+    /// First meridian of a closed strip; open ones start at their first points.
     pub start: gusset_strip_start,
     /// 1 if the polylines are closed.
     /// @flag
     pub closed: u32,
-    /// Number of interior rows; mean edges are of both polylines.
+    /// Number of interior rows.
     pub rows: gusset_row_rule,
     /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
@@ -49,20 +49,19 @@ pub struct gusset_strip_report {
     pub struct_size: usize,
     /// Points of A and B that the first meridian joins.
     pub start: [u32; 2],
-    /// Pairs (i, j) of indices from start on, as in gusset_stitch_report: to (N, M) if closed, else
-    /// to (N - 1, M - 1).
+    /// As in gusset_stitch_report, from start on: to (N, M) if closed, else to (N - 1, M - 1).
     /// @shape * 2
     pub meridians: gusset_indices,
-    /// The matrix P: vertices row by row from A to B, a column for each meridian.
+    /// The matrix P, as in gusset_stitch_report.
     /// @shape row_count+2 *
     pub matrix: gusset_indices,
-    /// Ends on A and B of each new vertex's meridian; new vertices come last.
+    /// Ends on A and B of each new vertex's meridian.
     /// @shape * 2
     pub parents: gusset_indices,
     /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
     /// @shape parents
     pub weights: *const f64,
-    /// Interior rows, two less than in the matrix; 0 without a face.
+    /// As in gusset_stitch_report; 0 without a face.
     pub row_count: u32,
     /// 0.
     pub reserved: u32,
@@ -88,7 +87,7 @@ impl gusset_strip_options {
 /// Builds a strip, as gusset_stitch does between rims.
 ///
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against
-/// A, along B. If both sides advance at once, the shorter diagonal splits a quad into triangles.
+/// A, along B.
 ///
 /// @param points_a count_a points in order, at least 1; if closed at least 3, the first not
 ///     repeated.
@@ -116,9 +115,7 @@ pub unsafe extern "C" fn gusset_strip(
     })
 }
 
-/// Lends the report of a strip.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip(

@@ -9,22 +9,21 @@ use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::mesh::triangulate;
 
-/// Splits all faces into triangles of their own corners, in the order of the faces.
+/// Splits faces into triangles of their corners, in order.
 ///
-/// A face of n corners becomes n - 2 triangles that use all its corners: a closed mesh stays
-/// closed. Vertices keep their indices and bits.
-/// - A quad is split by its shorter diagonal, or by the diagonal inside if it is concave.
-/// - A larger face becomes a fan from its first corner if this corner sees all others, as in a
-///   convex face. Otherwise its ears are cut off, in projection along a coordinate axis. Edges that
-///   the face passes twice, to reach a hole, are allowed.
-/// - If triangles of a face of at most 40 corners overlap, because the face is warped or crosses
-///   itself, the split with the least overlap replaces them.
+/// A face of n corners becomes n - 2 triangles with all its corners: a closed mesh stays closed.
+/// Vertices keep their indices.
+/// - A quad is split by its shorter diagonal, or, if concave, by the one inside.
+/// - A larger face becomes a fan if its first corner sees all others. Otherwise its ears are cut
+///   off, in projection along a coordinate axis. A face may pass edges twice to reach a hole.
+/// - If triangles of a warped or self-crossing face of at most 40 corners overlap, the split with
+///   the least overlap replaces them.
 ///
-/// gusset_result_origins_create gives the old face and corners of each triangle.
+/// gusset_result_origins_create gives each triangle's face and corners.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H); for a face of n corners that is not convex O(n log n), and at most 1000 tests a
-///     corner.
+/// @complexity O(H); for a face of n corners that is not convex O(n log n), and at most 1000 tests
+///     a corner.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_triangulate(

@@ -19,8 +19,7 @@ use gusset_base::alloc;
 pub struct gusset_trim_options {
     /// sizeof(gusset_trim_options).
     pub struct_size: usize,
-    /// Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the
-    /// coarser piece.
+    /// Largest distance of surfaces that count as one. 0: 4 mean edges of the coarser piece.
     pub max_distance: f64,
     /// Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     pub max_angle: f64,
@@ -30,7 +29,7 @@ pub struct gusset_trim_options {
     /// Number of pieces, or 0.
     pub viewpoint_count: usize,
     /// Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other
-    /// pieces also show. Holes below that limit are not made.
+    /// pieces also show. Smaller holes are not made.
     pub min_faces: u32,
     /// 0.
     pub reserved: u32,
@@ -57,7 +56,7 @@ pub struct gusset_trim_view {
     pub pieces: *const gusset_trimmed_piece,
     /// Number of pieces.
     pub piece_count: usize,
-    /// Faces removed at last, with their neighbours, for intersecting an earlier piece.
+    /// Faces removed, with neighbours, for intersecting an earlier piece.
     pub crossings: u32,
     /// 0.
     pub reserved: u32,
@@ -94,12 +93,12 @@ impl gusset_trim_options {
 /// Keeps one piece of each overlap, with a narrow gap that gusset_join closes; see
 /// GUSSET_OVERLAPS_TRIM.
 ///
-/// Cuts run where two pieces are equally good; up to noise, the earlier piece is kept. A vertex is
-/// better farther from its piece's borders, in mean edges, and seen less flat from its viewpoint.
-/// Loops of under 32 vertices are holes, not borders. A vertex lies on another piece if the nearest
-/// point is close, faces the same way, and is not on a border. No vertex moves, and no face is
-/// split. Parts thinner than two faces, small islands, faces attached by one vertex, and faces that
-/// intersect an earlier piece are removed.
+/// Cuts run where two pieces are equally good; up to noise, the earlier piece stays. Vertices are
+/// better farther from borders, in mean edges, and seen less flat from the viewpoint. Loops of
+/// under 32 vertices are not borders. A vertex lies on another piece if the nearest point is close,
+/// faces the same way, and is not on a border. No vertex moves, and no face is split. Parts thinner
+/// than two faces, small islands, and faces attached by one vertex or intersecting an earlier piece
+/// are removed.
 ///
 /// @param pieces as for gusset_join, in one coordinate system.
 /// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a
@@ -131,7 +130,7 @@ pub unsafe extern "C" fn gusset_trim_create(
     })
 }
 
-/// Destroys a result of trimming.
+/// Destroys a trim.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_trim_destroy(trim: *mut gusset_trim) {
     handle::destroy(trim);

@@ -43,15 +43,13 @@ pub struct gusset_weld_options {
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
     /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate,
     ///   or, if more, twice the last decimal place that positions show. At each vertex at most a
-    ///   quarter of the shortest edge; with GUSSET_COLLAPSE_ALLOW, edges within the first limit are
-    ///   not counted.
+    ///   quarter of the shortest edge; GUSSET_COLLAPSE_ALLOW skips edges within the first limit.
     /// - Last decimal place: let D be the largest power of ten up to the longest side of the
-    ///   vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of
-    ///   certain numbers: coordinates of the largest order of magnitude, or differences between
-    ///   consecutive vertices. Multiples of 1e-4 D are left out; at least eight other numbers are
-    ///   needed.
+    ///   vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of at
+    ///   least eight numbers. They are coordinates of the largest order of magnitude, or
+    ///   differences of consecutive vertices, except multiples of 1e-4 D.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// Largest distance of coincident vertices, finite, at least 0.
+    /// Largest distance of coincident vertices.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
     /// Treatment of coincident corners of one face.
@@ -66,11 +64,11 @@ pub struct gusset_weld_options {
 pub struct gusset_weld_report {
     /// sizeof(gusset_weld_report).
     pub struct_size: usize,
-    /// Index of each vertex in the result; UINT32_MAX if removed as unused.
+    /// Index of each vertex in the result; UINT32_MAX if removed.
     pub vertex_map: gusset_indices,
     /// Index of each face in the result; UINT32_MAX if dropped.
     pub face_map: gusset_indices,
-    /// Half-edges of boundary edges that coincide with another edge but are not sewn.
+    /// Half-edges of boundary edges that coincide with another edge but stay apart.
     pub left_edges: gusset_indices,
     /// Vertices that coincide with another but are not merged.
     pub left_vertices: gusset_indices,
@@ -80,11 +78,11 @@ pub struct gusset_weld_report {
     pub sewn_edges: u32,
     /// Dropped faces.
     pub dropped_faces: u32,
-    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    /// Pairs of boundary edges that coincide only within near_tolerance, not sewn.
     pub near_edge_pairs: u32,
     /// Largest distance at which vertices coincide, except at short edges; 0 for equal positions.
     pub tolerance: f64,
-    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    /// Tolerance that sews near_edge_pairs, at most a tenth of the edges there; 0 without any.
     pub near_tolerance: f64,
 }
 
@@ -104,17 +102,16 @@ impl gusset_weld_options {
 }
 
 /// Merges coincident vertices.
-/// - By default, borders are sewn: where exactly two boundary edges coincide, in either direction,
-///   they become one.
+/// - By default, borders are sewn: exactly two coincident boundary edges, in either direction,
+///   become one.
 /// - Edges stay apart, and are listed, where three or more coincide, or sewing would collapse a
-///   face or make a non-manifold edge: a manifold stays a manifold.
-/// - Coincident vertices without an edge to sew stay apart.
-/// - GUSSET_WELD_ALL merges all coincident vertices.
+///   face or make a non-manifold edge.
+/// - Coincident vertices without an edge to sew stay apart. GUSSET_WELD_ALL merges all coincident
+///   vertices.
 /// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance,
 ///   nearest first, without chains.
-/// - The result has the old faces, each from its first corner, and the remaining vertices in order.
-///   The smallest of merged vertices remains, bit for bit. A result without faces is not a valid
-///   input.
+/// - The result has the old faces, each from its first corner, and in order the other vertices and
+///   the smallest of merged ones. A result without faces is not a valid input.
 ///
 /// @errors as gusset_mesh_view, OUT_OF_RANGE (tolerance)
 /// @complexity O(H log H), if valences are small and few corners of one face coincide.
@@ -136,9 +133,7 @@ pub unsafe extern "C" fn gusset_weld(
     })
 }
 
-/// Lends the report of a weld.
-///
-/// @errors WRONG_HANDLE
+/// Lends the report.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_weld(
