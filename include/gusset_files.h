@@ -1,4 +1,4 @@
-/* Files of meshes, curves and points. Generated from crates/gusset-files/src/table; do not edit.
+/* Files of meshes, curves and points. Generated from crates/gusset-files/src/table.
  *
  * Functions read and write files in memory, as documents: JSON text and an array of bytes (docs/guides/files.md).
  *
@@ -22,14 +22,14 @@
 extern "C" {
 #endif
 
-/* ---- Entry: One symbol leads to the functions. */
+/*** Entry */
 
 struct gusset_files;
 
 /// Returns the functions, or NULL if the library cannot serve host_abi, the host's GUSSET_FILES_ABI.
 GUSSET_FILES_API GUSSET_FILES_MUST_USE const struct gusset_files *gusset_files_entry(uint32_t host_abi);
 
-/* ---- Functions: Constants and structs of the table. */
+/*** Functions */
 
 /// Version of the table.
 #define GUSSET_FILES_ABI 1
@@ -54,16 +54,14 @@ GUSSET_FILES_API GUSSET_FILES_MUST_USE const struct gusset_files *gusset_files_e
 /// Flag of write: permits moves of over 0.001 mean edges by rounding.
 #define GUSSET_FILES_LOSSY 2
 
-/// Files that a file names: material libraries, buffers, images, scans.
+/// Files that a file names: materials, buffers, images, scans.
 typedef struct gusset_files_folder {
     size_t struct_size;
     /// First argument of load.
     void *user;
-    /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero: it does not exist, or
-    /// may not be read.
+    /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero: none, or not to be read.
     int32_t (*load)(void *user, const char *name, const uint8_t **bytes, size_t *size);
-    /// Path from the folder of a written file to this one, such as "../scans". The file names images by it. NULL: both
-    /// are one folder.
+    /// Path from a written file's folder to this one, such as "../scans", by which it names images. NULL: both are one.
     const char *seen_as;
 } gusset_files_folder;
 
@@ -73,8 +71,8 @@ struct gusset_file;
 typedef struct gusset_files {
     size_t struct_size;
     /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags: GUSSET_FILES_JOINED,
-    /// GUSSET_FILES_UNMERGED or 0. Part 0 is the document's JSON text, part 1 the arrays in it; after a failure,
-    /// *result has the message. O(size) time; memory at most 32 times all files.
+    /// GUSSET_FILES_UNMERGED or 0. Part 0 is the document's JSON text, part 1 its arrays; after a failure, *result has
+    /// the message. O(size) time; memory at most 32 times all files.
     int32_t (*read)(const char *name,
                     const uint8_t *bytes,
                     size_t size,
@@ -82,7 +80,7 @@ typedef struct gusset_files {
                     uint32_t flags,
                     struct gusset_file **result);
     /// Writes a document, whose arrays have size bytes. flags: GUSSET_FILES_TEXT, GUSSET_FILES_LOSSY or 0. Part 0 is a
-    /// JSON list of losses, part 1 the file, further parts are files beside it.
+    /// JSON list of losses, part 1 the file, the rest files beside it.
     int32_t (*write)(const char *name,
                      const char *document,
                      const uint8_t *arrays,
@@ -105,7 +103,7 @@ typedef struct gusset_files {
 /// Type of gusset_files_entry, for dlsym.
 typedef const struct gusset_files *(*gusset_files_entry_fn)(uint32_t host_abi);
 
-/* ---- Results: The parts of a file that was read or written. */
+/*** Results */
 
 /// Parts of a file that was read or written, or the reason of a failure.
 typedef struct gusset_file gusset_file;
@@ -113,4 +111,4 @@ typedef struct gusset_file gusset_file;
 #ifdef __cplusplus
 }
 #endif
-#endif /* GUSSET_FILES_H */
+#endif

@@ -1,4 +1,4 @@
-/* gusset as a plugin. Generated from src/capi/plugin; do not edit.
+/* gusset as a plugin. Generated from src/capi/plugin.
  *
  * gusset_plugin_entry leads to filters with typed parameters, from meshes or curves to meshes, curves or text:
  *     void *library = dlopen("libgusset.so.0.1", RTLD_NOW | RTLD_LOCAL);
@@ -10,10 +10,11 @@
  * The host sets struct_size to sizeof the struct, and unused fields to 0. In the plugin's structs, struct_size tells
  * which fields exist: later versions may append some.
  * Counts are in elements, strides in bytes (0: packed), angles in radians, lengths in the unit of the positions.
- * Indices begin at 0. Arrays of meshes, curves and channels may have any alignment.
- * Tables are static, texts UTF-8, ids permanent. Many threads may call functions and read outputs at once.
+ * Indices begin at 0. Part k of an array has the elements offsets[k] to offsets[k + 1] - 1; there is one offset more
+ * than parts. Arrays of meshes, curves and channels may have any alignment.
+ * Tables are static, texts UTF-8, ids permanent. Any thread may call functions and read outputs.
  * Arrays and texts of outputs live until output_free. Functions return NULL for an unknown index or name.
- * The plugin's int32_t results are GUSSET_PLUGIN_DONE or another gusset_status of gusset.h, which a host does not need.
+ * int32_t results are GUSSET_PLUGIN_DONE or another gusset_status of gusset.h, which a host does not need.
  * C99 or later, C++11 or later. */
 
 #ifndef GUSSET_PLUGIN_H
@@ -33,15 +34,15 @@
 extern "C" {
 #endif
 
-/* ---- Entry: One symbol leads to the tables of filters. */
+/*** Entry */
 
 struct gusset_plugin;
 
 /// Returns the plugin's tables, or NULL if it cannot serve host_abi, the host's GUSSET_PLUGIN_ABI. The first call makes
-/// the tables; any thread may call it. Nothing needs initialisation or release. The library stays loaded after dlclose.
+/// them; any thread may call it. Nothing needs initialisation or release; the library stays loaded after dlclose.
 GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plugin_entry(uint32_t host_abi);
 
-/* ---- Attributes: Extension that transfers values of elements to outputs. */
+/*** Attributes */
 
 /// Vertices.
 #define GUSSET_PLUGIN_VERTICES 0
@@ -61,19 +62,18 @@ GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plug
 #define GUSSET_PLUGIN_VALUE_U32 5
 /// Weighted mean; integers are rounded.
 #define GUSSET_PLUGIN_RULE_LINEAR 0
-/// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were turned over are negated.
+/// Directions of three floats: mean on the sphere, of length 1. Faces turned over negate theirs.
 #define GUSSET_PLUGIN_RULE_NORMAL 1
-/// Skin weights: weighted mean; the max_influences largest are kept, scaled to sum 1 or an integer type's largest
-/// value.
+/// Skin weights: weighted mean; the max_influences largest, scaled to sum 1 or an integer type's largest value.
 #define GUSSET_PLUGIN_RULE_SKIN_WEIGHTS 2
 /// Value of the source with the largest weight.
 #define GUSSET_PLUGIN_RULE_NEAREST 3
-/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else each side's chart
-/// continues to a seam in the middle.
+/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else charts continue to a
+/// seam in the middle.
 #define GUSSET_PLUGIN_RULE_TEXTURE 4
 
-/// Type of values, and rule that combines them. A single source's value stays bit for bit. Without valued sources,
-/// elements get 0.
+/// Type of values, and rule that combines them. A single source's value stays bit for bit; elements without valued
+/// sources get 0.
 typedef struct gusset_plugin_channel {
     size_t struct_size;
     /// GUSSET_PLUGIN_VERTICES, _CORNERS or _FACES.
@@ -84,18 +84,17 @@ typedef struct gusset_plugin_channel {
     uint32_t components;
     /// GUSSET_PLUGIN_RULE_...
     uint32_t rule;
-    /// Weights that GUSSET_PLUGIN_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0: all.
+    /// Weights that GUSSET_PLUGIN_RULE_SKIN_WEIGHTS keeps; 0: all.
     uint32_t max_influences;
     uint32_t reserved;
 } gusset_plugin_channel;
 
 /// Values of one input's elements.
 typedef struct gusset_plugin_channel_values {
-    /// Components of each element at each stride; NULL with count 0 if lacking.
+    /// Components of each element; NULL with count 0 if lacking.
     const void *values;
     /// Vertices, corners or faces of the input.
     size_t count;
-    /// Stride of elements.
     size_t stride;
 } gusset_plugin_channel_values;
 
@@ -103,14 +102,14 @@ typedef struct gusset_plugin_channel_values {
 typedef struct gusset_plugin_origins {
     size_t struct_size;
     size_t count;
-    /// Element k has sources and weights offsets[k] to offsets[k + 1] - 1, if any.
+    /// Offsets into sources and weights, by element.
     const uint32_t *offsets;
     /// Elements, numbered through all inputs.
     const uint32_t *sources;
-    /// Weight of each source, above 0, sum 1.
+    /// Weight of each source, above 0, in all 1.
     const double *weights;
     size_t input_count;
-    /// Input i has sources starts[i] to starts[i + 1] - 1.
+    /// Offsets of inputs in this numbering.
     const uint32_t *starts;
 } gusset_plugin_origins;
 
@@ -120,7 +119,7 @@ struct gusset_host;
 
 struct gusset_outputs;
 
-/// extension("attributes/1"): transfers attributes to outputs of runs with gusset_host.origins.
+/// extension("attributes/1"): transfers attributes to outputs of runs with origins.
 typedef struct gusset_plugin_attributes {
     size_t struct_size;
     /// Returns 1 if the output has origins, else 0.
@@ -131,8 +130,8 @@ typedef struct gusset_plugin_attributes {
                        uint32_t domain,
                        struct gusset_plugin_origins *origins);
     /// Writes the values of the output's elements in O(elements and sources). host: as for run. inputs: one for each
-    /// input of the run, in order. values: room for count elements, at least the output's; no overlap with the inputs'
-    /// values. failure: receives the reason, with a static message; may be NULL.
+    /// input of the run. values: room for count elements, at least the output's, apart from inputs. failure: receives
+    /// the reason, with a static message; may be NULL.
     int32_t (*apply)(const struct gusset_outputs *outputs,
                      uint32_t index,
                      const struct gusset_host *host,
@@ -145,7 +144,7 @@ typedef struct gusset_plugin_attributes {
                      struct gusset_failure *failure);
 } gusset_plugin_attributes;
 
-/* ---- Filters: Constants and structs of the tables. */
+/*** Filters */
 
 /// Version of the tables.
 #define GUSSET_PLUGIN_ABI 1
@@ -187,44 +186,42 @@ typedef struct gusset_plugin_attributes {
 #define GUSSET_PARAM_DIRECTION 8
 /// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 #define GUSSET_PARAM_PLANE 9
-/// Number of a report: whole.
+/// Report value: whole.
 #define GUSSET_VALUE_COUNT 1
-/// Number of a report: 0 or 1.
+/// Report value: 0 or 1.
 #define GUSSET_VALUE_FLAG 2
-/// Number of a report: without unit, or in a unit of its own.
+/// Report value: without unit, or in its own.
 #define GUSSET_VALUE_NUMBER 3
-/// Number of a report: length in the unit of the positions.
+/// Report value: length in the unit of the positions.
 #define GUSSET_VALUE_LENGTH 4
-/// Number of a report: area in the square of that unit.
+/// Report value: area in the square of that unit.
 #define GUSSET_VALUE_AREA 5
-/// Number of a report: volume in the cube of that unit.
+/// Report value: volume in the cube of that unit.
 #define GUSSET_VALUE_VOLUME 6
-/// Number of a report: angle in radians.
+/// Report value: angle in radians.
 #define GUSSET_VALUE_ANGLE 7
 /// The first output replaces the first input, else outputs are new.
 #define GUSSET_FILTER_REPLACES 1
-/// The first output, a mesh, has elements of the inputs; extension("attributes/1") transfers attributes.
+/// The first output, a mesh, has elements of the inputs, for extension("attributes/1").
 #define GUSSET_FILTER_ORIGINS 2
 /// No input or parameter.
 #define GUSSET_PLUGIN_NONE UINT32_MAX
 
-/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Inputs are not copied.
+/// Polygon mesh, with the rules of gusset_mesh_view in gusset.h. Inputs are not copied.
 typedef struct gusset_plugin_mesh {
     size_t struct_size;
-    /// x, y, z at each stride; finite at vertices of faces.
+    /// x, y, z; finite at vertices of faces.
     const void *positions;
-    /// Stride of positions.
     size_t position_stride;
     /// 1 to 2^32 - 2.
     size_t vertex_count;
-    /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with
-    /// face_size, not in outputs.
+    /// Offsets into face_corners, by face. NULL with face_size, not in outputs.
     const void *face_offsets;
     /// Vertex of each corner, face by face.
     const void *face_corners;
     /// At least 1 in an input.
     size_t face_count;
-    /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
+    /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64, not 0.
     uint32_t scalar;
     /// 0: corners, offsets and merge are 32-bit unsigned integers.
     uint32_t index;
@@ -232,22 +229,21 @@ typedef struct gusset_plugin_mesh {
     uint32_t face_size;
     uint32_t reserved;
     /// Representative of each vertex, itself or one that represents itself; NULL: all are separate. Vertices with one
-    /// representative are one, so seams are not borders.
+    /// representative are one, so that seams are not borders.
     const void *merge;
 } gusset_plugin_mesh;
 
-/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1; if closed, the last joins the first.
+/// Polylines. If closed, the last point joins the first.
 typedef struct gusset_plugin_curves {
     size_t struct_size;
-    /// Finite x, y, z at each stride. Outputs are packed 64-bit floats.
+    /// Finite x, y, z. Outputs are packed 64-bit floats.
     const void *points;
-    /// Stride of points.
     size_t point_stride;
     /// At most 2^32 - 2.
     size_t point_count;
-    /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without curves.
+    /// 32-bit offsets into points, by curve; may be NULL without curves.
     const void *offsets;
-    /// For each curve 0 (open) or 1 (closed); NULL: all open.
+    /// For each curve, 1 if closed; NULL: all open.
     const uint8_t *closed;
     /// At most 2^32 - 2.
     size_t curve_count;
@@ -266,21 +262,21 @@ typedef struct gusset_input {
     uint32_t reserved;
 } gusset_input;
 
-/// Callbacks and settings of a call. Callbacks run on the calling thread. They must not throw, or pass the call's
-/// outputs to the plugin. Texts are valid during the callback.
+/// Callbacks and settings of a call. Callbacks run on the calling thread, with texts valid meanwhile. They must not
+/// throw, or pass the call's outputs to the plugin.
 typedef struct gusset_host {
     size_t struct_size;
     /// First argument of the callbacks.
     void *user;
     /// Receives the part done, 0 to 1, nondecreasing, at last 1 if the run succeeds, and the current work; may be NULL.
     /// A nonzero return cancels: run ends within 0.1 s for 1,000,000 input and output faces or points; freeing more
-    /// memory takes longer.
+    /// takes longer.
     int32_t (*progress)(void *user, double fraction, const char *stage);
     /// Receives remarks that are not failures; may be NULL.
     void (*log)(void *user, const char *message);
-    /// 0: all threads of the machine; 1: the calling thread. Results do not depend on it.
+    /// 0: all of the machine; 1: the calling thread. Results do not depend on it.
     uint32_t threads;
-    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS; 0 saves time and memory.
+    /// 1: outputs get origins, with GUSSET_FILTER_ORIGINS; 0 saves time and memory.
     uint32_t origins;
 } gusset_host;
 
@@ -303,7 +299,7 @@ typedef struct gusset_param_info {
     const char *help;
     /// GUSSET_PARAM_...
     uint32_t kind;
-    /// 3 for points and directions, 4 for planes, else 1.
+    /// Points, directions: 3; planes: 4; else 1.
     uint32_t arity;
     /// Least value of each component.
     double min;
@@ -311,9 +307,9 @@ typedef struct gusset_param_info {
     double max;
     /// arity values; suggest adapts them to the inputs.
     const double *default_values;
-    /// Spin box increment; 0: the host decides.
+    /// Spin box increment; 0: the host's choice.
     double step;
-    /// choice_count choices; NULL unless kind is GUSSET_PARAM_CHOICE.
+    /// NULL unless kind is GUSSET_PARAM_CHOICE.
     const struct gusset_choice *choices;
     uint32_t choice_count;
     /// Its first value among the filter's values.
@@ -349,20 +345,20 @@ typedef struct gusset_filter {
     /// GUSSET_FILTER_... or 0.
     uint32_t flags;
     uint32_t param_count;
-    /// Values of all parameters, in order.
+    /// Values of all parameters.
     uint32_t value_count;
     uint32_t reserved;
     /// Returns a parameter by its index.
     const struct gusset_param_info *(*param)(const struct gusset_filter *filter, uint32_t index);
-    /// Writes value_count defaults that suit the inputs, in O(size of the inputs). After a failure, writes plain
-    /// defaults; run tells the reason.
+    /// Writes value_count defaults that suit the inputs, in O(their size). After a failure, writes plain defaults; run
+    /// tells the reason.
     int32_t (*suggest)(const struct gusset_filter *filter,
                        const struct gusset_input *inputs,
                        uint32_t input_count,
                        double *values);
     /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count; suggest gives the
-    /// rest. outputs: receives the outputs or the reason of a failure; call output_free in both cases. *outputs is NULL
-    /// only if memory ran out.
+    /// rest. outputs: receives the outputs or the reason of a failure, to be freed by output_free; NULL only if memory
+    /// ran out.
     int32_t (*run)(const struct gusset_filter *filter,
                    const struct gusset_host *host,
                    const struct gusset_input *inputs,
@@ -452,7 +448,7 @@ typedef struct gusset_plugin_values {
 /// Type of gusset_plugin_entry, for dlsym.
 typedef const struct gusset_plugin *(*gusset_plugin_entry_fn)(uint32_t host_abi);
 
-/* ---- Outputs: The results of a run. */
+/*** Outputs */
 
 /// Outputs of a run, or the reason of its failure.
 typedef struct gusset_outputs gusset_outputs;
@@ -460,4 +456,4 @@ typedef struct gusset_outputs gusset_outputs;
 #ifdef __cplusplus
 }
 #endif
-#endif /* GUSSET_PLUGIN_H */
+#endif

@@ -1,4 +1,4 @@
-/* Generated from src/capi; do not edit. See gusset.h. */
+/* Generated from src/capi; see gusset.h. */
 
 #ifndef GUSSET_BASE_H
 #define GUSSET_BASE_H
@@ -19,7 +19,7 @@
 #define GUSSET_MUST_USE
 #endif
 
-/// Version of this header; compare with gusset_version() of the library loaded.
+/// Version of this header; compare gusset_version().
 #define GUSSET_VERSION_MAJOR 0
 #define GUSSET_VERSION_MINOR 1
 #define GUSSET_VERSION_PATCH 0
@@ -29,14 +29,14 @@
 extern "C" {
 #endif
 
-/* ---- Statuses: Results of functions. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the data, 2000 to */
-/* 2999 failures of the environment. Numbers never change their meaning. */
+/*** Statuses. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the data, 2000 to 2999 failures of the */
+/*** environment. Numbers never change their meaning. */
 
 /// Status that a function returns.
 enum gusset_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+#endif
  {
     /// Success.
     GUSSET_OK = 0,
@@ -62,8 +62,7 @@ enum gusset_status
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
     /// An output array overlaps another array.
     GUSSET_ERROR_OVERLAP = 11,
-    /// A handle is of the wrong kind or was destroyed. Undetected if its memory was used again, as are other invalid
-    /// pointers.
+    /// A handle is of the wrong kind or was destroyed. Reused memory and other invalid pointers stay undetected.
     GUSSET_ERROR_WRONG_HANDLE = 12,
     /// The number of inputs, or of elements of an array, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
@@ -79,8 +78,7 @@ enum gusset_status
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A vertex index is out of range.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A number is NaN or infinite. It is a coordinate of a used vertex, point, tangent, query or node, or a channel's
-    /// value.
+    /// A number is NaN or infinite. It belongs to a used vertex, point, tangent, query, node or channel.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// A later mesh or piece has 64-bit positions and the first has 32-bit positions.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
@@ -160,8 +158,8 @@ enum gusset_status
 typedef enum gusset_status gusset_status;
 #else
 typedef int32_t gusset_status;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
+#endif
+#endif
 
 /// Element that a report's index counts.
 typedef uint32_t gusset_element;
@@ -215,37 +213,35 @@ typedef uint32_t gusset_element;
 /// Describes a status in English.
 /// @param status an unknown one gives "unknown status".
 /// @return a static string, never NULL.
-/// @complexity O(1).
 GUSSET_API const char *gusset_status_text(int32_t status);
 
 /// Describes a value of a choice in an English sentence.
 /// @param choice name of the type, such as "gusset_hole_status".
 /// @param value its constant.
-/// @return a static UTF-8 string, never NULL: the first sentence of the constant's comment, or "unknown value".
+/// @return a static UTF-8 string, never NULL: the comment's first sentence, or "unknown value".
 /// @complexity O(number of choices).
 GUSSET_API const char *gusset_choice_text(const char *choice, uint32_t value);
 
-/* ---- Contexts: Settings and outcomes of calls. */
+/*** Contexts */
 
-/// Threads, progress, cancellation, log, and the outcome of the last call. Only one thread uses it at a time; any
-/// thread may call gusset_context_cancel, gusset_context_reset and gusset_context_get_progress.
+/// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a time, except for
+/// cancel, reset and get_progress.
 typedef struct gusset_context gusset_context;
 
 /// Receives the progress of long work, on the calling thread. A nonzero return cancels this call only. The callback
-/// must not throw, longjmp, or use the context, except gusset_context_cancel and gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1, never decreasing; 1 at the end of a successful call.
+/// must not throw, longjmp, or use the context except by cancel and get_progress.
+/// - fraction: the part done, 0 to 1, nondecreasing; 1 after success.
 /// - stage: the current work; valid during the callback.
 typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
 
 /// Receives remarks that are not errors, under the rules of gusset_progress_fn. Sentences may change; programs read
-/// results. Stitching, filling and joining remark that
-/// - the second piece or component of a stitch was turned over to agree with the first;
-/// - a closed component faced the wrong side, and was turned over;
-/// - fairing was requested without new vertices;
-/// - rows, cells or fairing were requested with a blend;
-/// - a strip replaces a blend;
-/// - near_loops_left of gusset_join_report is not 0;
-/// - zero_volume of gusset_join_report is not empty.
+/// results. Stitching, filling and joining report
+/// - a second piece or component turned over to agree with the first;
+/// - a closed component turned over that faced the wrong side;
+/// - fairing without new vertices;
+/// - rows, cells or fairing with a blend;
+/// - a strip instead of a blend;
+/// - near_loops_left above 0 or zero_volume not empty in gusset_join_report.
 typedef void (*gusset_log_fn)(void *user, const char *message);
 
 /// Report of the last error.
@@ -256,7 +252,7 @@ typedef struct gusset_error_report {
     gusset_element element;
     /// First offending element.
     uint64_t index;
-    /// Its value, if any: a coordinate, a vertex index, an exceeded limit.
+    /// Its value, such as a coordinate, vertex index or limit.
     double value;
     /// Mesh, piece, input or loop of the element.
     uint32_t input;
@@ -264,57 +260,46 @@ typedef struct gusset_error_report {
 } gusset_error_report;
 
 /// Creates a context with automatic threads and without callbacks.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_context **context);
 
 /// Destroys a context. No call may be using it.
 GUSSET_API void gusset_context_destroy(struct gusset_context *context);
 
 /// Sets the number of threads.
-/// @param threads 0: all threads of the machine; 1: the calling thread only.
-/// @complexity O(1).
+/// @param threads 0: all of the machine; 1: the calling thread.
 GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
 
 /// Sets the progress callback.
 /// @param progress NULL: none.
-/// @param user passed to the callback.
-/// @complexity O(1).
 GUSSET_API gusset_status gusset_context_set_progress(struct gusset_context *context, gusset_progress_fn progress,
     void *user);
 
 /// Sets the log callback.
 /// @param log NULL: none.
-/// @param user passed to the callback.
-/// @complexity O(1).
 GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
 
-/// Cancels the running call and all later calls until gusset_context_reset.
-/// @complexity O(1).
-/// @threads From any thread; NULL is allowed.
+/// Cancels running and later calls until gusset_context_reset.
+/// @threads Any; NULL is allowed.
 GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
 
 /// Withdraws a cancellation.
-/// @complexity O(1).
-/// @threads From any thread; NULL is allowed.
+/// @threads Any; NULL is allowed.
 GUSSET_API void gusset_context_reset(const struct gusset_context *context);
 
 /// Returns the done part of the running or last call.
 /// @return 0 to 1; 0 for NULL.
-/// @complexity O(1).
 GUSSET_API double gusset_context_get_progress(const struct gusset_context *context);
 
 /// Explains the last call's error in an English sentence.
-/// @return a UTF-8 string, never NULL, valid until the next call with the context; empty after a success, during a
-///     call, and for NULL.
-/// @complexity O(1).
+/// @return UTF-8, never NULL, valid until the next call with the context; empty after a success, during a call, and for
+///     NULL.
 GUSSET_API const char *gusset_context_get_message(const struct gusset_context *context);
 
 /// Copies the report of the last call, cleared after a success.
-/// @complexity O(1).
 GUSSET_API gusset_status gusset_context_get_report(const struct gusset_context *context,
     struct gusset_error_report *report);
 
-/* ---- Affine maps: Maps of points, as three rows of four numbers. */
+/*** Affine maps */
 
 /// Affine map of points.
 typedef struct gusset_transform {
@@ -322,20 +307,18 @@ typedef struct gusset_transform {
     double rows[12];
 } gusset_transform;
 
-/* ---- Versions: Versions of the library and its binary interface. */
+/*** Versions */
 
 /// Returns the version of the library, "major.minor.patch".
 /// @return a static string, never NULL.
-/// @complexity O(1).
 GUSSET_API const char *gusset_version(void);
 
 /// Returns the number of the binary interface.
-/// It changes when older programs could break: until 1.0, with each minor version.
+/// It changes when older programs could break: before 1.0, with each minor version.
 /// @return the number.
-/// @complexity O(1).
 GUSSET_API uint32_t gusset_abi(void);
 
 #ifdef __cplusplus
 }
 #endif
-#endif /* GUSSET_BASE_H */
+#endif

@@ -183,7 +183,7 @@ enum class Meridians : uint32_t {
 /// Search effort. See ::gusset_strip_search.
 enum class StripSearch : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
 
-/// First meridian of a closed strip. See ::gusset_strip_start.
+/// First meridian of a closed strip; open ones start at their first points. See ::gusset_strip_start.
 enum class StripStart : uint32_t {
     automatic = GUSSET_START_AUTO,
     closest = GUSSET_START_CLOSEST,
@@ -244,7 +244,7 @@ enum class Outward : uint32_t {
     closed = GUSSET_OUTWARD_CLOSED
 };
 
-/// Loops that are not holes. See ::gusset_fill_keep.
+/// Loops that are not holes, if all loops are selected. See ::gusset_fill_keep.
 enum class FillKeep : uint32_t {
     automatic = GUSSET_KEEP_AUTO,
     none = GUSSET_KEEP_NONE,
@@ -367,10 +367,10 @@ enum class ChartFinish : uint32_t {
 /// Reason for a cut. See ::gusset_cut_kind.
 enum class CutKind : uint32_t { given = GUSSET_CUT_GIVEN, opening = GUSSET_CUT_OPENING, dart = GUSSET_CUT_DART };
 
-/// The side of a plane to which vertices in the plane belong. See ::gusset_in_plane.
+/// Side of vertices in a plane. See ::gusset_in_plane.
 enum class InPlane : uint32_t { above = GUSSET_IN_PLANE_ABOVE, below = GUSSET_IN_PLANE_BELOW };
 
-/// How cutting planes are given. See ::gusset_cutting_kind.
+/// Kind of cutting planes. See ::gusset_cutting_kind.
 enum class CuttingKind : uint32_t {
     stack = GUSSET_CUTTING_STACK,
     planes = GUSSET_CUTTING_PLANES,
@@ -416,7 +416,7 @@ enum class GluingKind : uint32_t {
     type = GUSSET_GLUING_TYPE
 };
 
-/// Local gluing of Deryagin's figure 4. See ::gusset_gluing_type.
+/// Local gluing of Deryagin's figure 4. n(...) counts contracted links of a node, c(...) of a cell. See ::gusset_gluing_type.
 enum class GluingType : uint32_t {
     none = GUSSET_TYPE_NONE,
     horizontal = GUSSET_TYPE_HORIZONTAL,

@@ -20,7 +20,7 @@ struct OutlineOptions {
     JointParameter joint = JointParameter::half;
     /// Method of solution.
     OutlineSolver solver = OutlineSolver::fast;
-    /// For open outlines and parts between corners; constraints take precedence.
+    /// For open outlines and parts between corners, without constraints.
     OutlineEnds ends = OutlineEnds::free;
     /// 0 to 1. A value sets method to GUSSET_METHOD_ALPHA.
     std::optional<double> alpha;
@@ -30,7 +30,7 @@ struct OutlineOptions {
     double repeat_tolerance = 0.0;
     /// Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     double corner_angle = 0.0;
-    /// Iterations end when no move exceeds it; below 1; 0: 1e-12.
+    /// Iterations end when moves are within it; below 1; 0: 1e-12.
     double tolerance = 0.0;
     /// Most sweeps or iterations between corners; 0: 200.
     uint32_t max_sweeps = 0;
@@ -52,22 +52,21 @@ struct OffsetOptions {
 struct FrameOptions {
     /// Correspondence of points between sections.
     CorrespondenceRule correspondence = CorrespondenceRule::given;
-    /// ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more corners. LANDMARKS:
-    /// parts between two landmarks.
+    /// ANGLE: nodes in each section. ARC_LENGTH: likewise, more if sections have more corners. LANDMARKS: parts between
+    /// two landmarks.
     uint32_t columns = 0;
     /// 1: the first section follows the last.
     bool ring = false;
-    /// ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first section's first
-    /// point.
+    /// ARC_LENGTH. 1: closed sections start at their first points, or the corner after the first section's.
     bool given_starts = false;
     /// 1: only constraints make corners. 0: sections also have corners where they turn by more than `corner_angle` of
-    /// `across`. If this is pi, all points of a polygon are corners, and points that turn by 40 degrees and far more
-    /// than usual. Polygons are closed sections of at most 6 points, and sections whose points turn by more than 54 or
-    /// less than 6 degrees. Not with ANGLE unless `corner_angle` is below pi.
+    /// `across`. If this is pi (not with ANGLE), corners are all points of polygons, and points that turn by 40 degrees
+    /// and far more than usual. Polygons are closed sections of at most 6 points, and sections that turn by more than
+    /// 54 or less than 6 degrees at points.
     bool smooth_corners = false;
     /// ANGLE: a point of the axis.
     Point3 axis_point{};
-    /// ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
+    /// ANGLE: direction of the axis; angles are right-handed about it.
     Point3 axis_direction{};
     /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     Point3 reference{};
@@ -80,9 +79,9 @@ struct FrameOptions {
     OutlineOptions across;
     /// Options of the curves along.
     OutlineOptions along;
-    /// GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. Each is
-    /// interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
-    /// parameters from adjacent columns.
+    /// GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. A Catmull-Rom
+    /// curve through up to two nodes before and after in the column fills each, with centripetal parameters from
+    /// adjacent columns.
     std::vector<uint32_t> missing;
 };
 

@@ -15,15 +15,13 @@ struct WeldOptions {
     /// Distance at which vertices coincide.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
     /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice
-    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge; with
-    ///   GUSSET_COLLAPSE_ALLOW, edges within the first limit are not counted.
+    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge;
+    ///   GUSSET_COLLAPSE_ALLOW skips edges within the first limit.
     /// - Last decimal place: let D be the largest power of ten up to the longest side of the vertices' box. The place
-    ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers: coordinates of the largest
-    ///   order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D are left out; at least
-    ///   eight other numbers are needed.
+    ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of at least eight numbers. They are coordinates of
+    ///   the largest order of magnitude, or differences of consecutive vertices, except multiples of 1e-4 D.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
-    /// Largest distance of coincident vertices, finite, at least 0. A value sets tolerance_mode to
-    /// GUSSET_TOLERANCE_GIVEN.
+    /// Largest distance of coincident vertices. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
     std::optional<double> tolerance;
     /// Treatment of coincident corners of one face.
     Collapse collapse = Collapse::never;
@@ -37,8 +35,8 @@ struct StitchOptions {
     Meridians meridians = Meridians::continuation;
     /// Treatment of opposite orientations.
     Orientation orientation = Orientation::fix;
-    /// Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in vertices in the
-    /// direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
+    /// Vertices to shift the first meridian along rim B, in the direction of rim A, modulo rim B. The shift begins at
+    /// the closest pair that no edge joins. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
     int64_t twist = 0;
     /// Part of the loops to join.
     StitchExtent extent = StitchExtent::whole_loops;
@@ -52,19 +50,19 @@ struct StitchOptions {
     StripCells cells = StripCells::triangles;
     /// Source of the tolerance.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
-    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0. A value sets
-    /// tolerance_mode to GUSSET_TOLERANCE_GIVEN.
+    /// Facing vertices are farther than this from their loop's plane. A value sets tolerance_mode to
+    /// GUSSET_TOLERANCE_GIVEN.
     std::optional<double> tolerance;
-    /// First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may pass the loop's end.
-    /// A value sets extent to GUSSET_EXTENT_ARCS.
+    /// First index on loop A as given, and number of vertices, 1 to the loop's length; may pass its end. A value sets
+    /// extent to GUSSET_EXTENT_ARCS.
     std::optional<std::array<uint32_t, 2>> arc_a;
     /// As arc_a, for loop B. A value sets extent to GUSSET_EXTENT_ARCS.
     std::optional<std::array<uint32_t, 2>> arc_b;
     /// Search effort.
     StripSearch search = StripSearch::automatic;
-    /// First meridian of a closed strip.
+    /// First meridian of a closed strip; open ones start at their first points.
     StripStart start = StripStart::automatic;
-    /// Positions of interior rows; ignored without rows.
+    /// Positions of new vertices.
     Fairing fairing = Fairing::none;
     /// Treatment of intersecting faces.
     Intersections intersections = Intersections::automatic;
@@ -72,7 +70,7 @@ struct StitchOptions {
     Centres centres = Centres::vertices;
     /// Side that closed components face.
     Outward outward = Outward::automatic;
-    /// Surface between the rims.
+    /// Surface between the rims, or in a hole.
     Finish finish = Finish::strip;
 };
 
@@ -82,52 +80,51 @@ struct FillOptions {
     FillWeight weight = FillWeight::continuation;
     /// New vertices of patches.
     FillRefinement refine = FillRefinement::none;
-    /// Fairing; ignored without new vertices.
+    /// Positions of new vertices.
     Fairing fairing = Fairing::none;
-    /// Loops that stay open, if all loops are selected.
+    /// Loops that are not holes, if all loops are selected.
     FillKeep keep = FillKeep::automatic;
     /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     Intersections intersections = Intersections::automatic;
-    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
-    /// and shared patches are not predicted.
+    /// 1: only reports which loops would be filled, by which weight and finish, without predicting failed
+    /// triangulations and shared patches.
     bool plan_only = false;
-    /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or 4
-    /// a rim vertex if more; twice that for sharp angles.
+    /// Approximate limit on a patch's new vertices, kept by larger triangles, within a factor of 2. 0: 50,000, or 4 a
+    /// rim vertex if more; twice that for sharp angles.
     uint32_t max_new_vertices = 0;
-    /// Most edges of a loop to fill. 0: no limit.
+    /// Most edges of a loop to fill; 0: any.
     uint32_t max_edges = 0;
-    /// Largest length of a loop to fill, at least 0. 0: no limit.
+    /// Largest length of a loop to fill, at least 0; 0: any.
     double max_length = 0.0;
-    /// Largest diagonal of the loop's axis-aligned box, likewise.
+    /// As max_length, for diameter of gusset_hole.
     double max_diameter = 0.0;
-    /// Largest area, as in gusset_hole, likewise.
+    /// As max_length, for area of gusset_hole.
     double max_area = 0.0;
-    /// For closed components of the result, patches included.
+    /// Side that closed components face.
     Outward outward = Outward::automatic;
-    /// Loops that share a patch, if groups is NULL.
+    /// Loops that share a patch.
     FillTogether together = FillTogether::apart;
-    /// Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0, without loops left open
-    /// for their own reasons. NULL: see together.
+    /// Group of each given loop; the group's loops share a patch of genus 0, except loops left open for their own
+    /// reasons. NULL: together decides.
     std::vector<uint32_t> groups;
     /// Smoothness between faired patches and the old surface.
     FillContinuity continuity = FillContinuity::c1;
     /// 1: creases of the old surface end at the rim.
     bool ignore_creases = false;
-    /// GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired, regardless of refine
-    /// and fairing.
+    /// Surface between the rims, or in a hole.
     Finish finish = Finish::strip;
 };
 
 /// Options of gusset_trim_create. See ::gusset_trim_options.
 struct TrimOptions {
-    /// Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the coarser piece.
+    /// Largest distance of surfaces that count as one. 0: 4 mean edges of the coarser piece.
     double max_distance = 0.0;
     /// Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     double max_angle = 0.0;
     /// A point for each piece, or NULL. Parts seen at flat angles weigh less.
     std::vector<Point3> viewpoints;
     /// Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other pieces also show.
-    /// Holes below that limit are not made.
+    /// Smaller holes are not made.
     uint32_t min_faces = 0;
 };
 
@@ -136,32 +133,31 @@ struct JoinOptions {
     /// Treatment of coincident borders.
     Welding weld = Welding::sew;
     /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against those that they
-    /// face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward. Takes GUSSET_ORIENTATION_FIX,
+    /// face. GUSSET_ORIENTATION_KEEP ignores outward and reverses nothing. Takes GUSSET_ORIENTATION_FIX,
     /// GUSSET_ORIENTATION_KEEP only.
     Orientation orientation = Orientation::fix;
-    /// Parts of loops to join.
+    /// Parts of loops that are joined.
     JoinExtent extent = JoinExtent::loops_and_parts;
     /// 1 also joins loops of one component that pairs does not name.
     bool within_components = false;
     /// 1 fills the remaining holes.
     bool fill = false;
-    /// Widest gap to close, finite, at least 0; 0 closes none. A value sets gap of C to GUSSET_GAP_GIVEN; empty:
-    /// GUSSET_GAP_AUTO.
+    /// Widest gap to close; 0 closes none. A value sets gap of C to GUSSET_GAP_GIVEN; empty: GUSSET_GAP_AUTO.
     std::optional<double> max_gap;
-    /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice (see gusset_joint).
-    /// No loop is in two pairs.
+    /// Pairs of whole loops to join at any distance, or NULL: two loops, or a slit twice (see gusset_joint). No loop is
+    /// in two pairs.
     std::vector<gusset_loop_pair> pairs;
     /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     std::vector<gusset_loop_pair> excluded;
     /// Options of welding.
     WeldOptions weld_options;
-    /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
-    /// used; all must be valid.
+    /// Uses meridians, search, start, rows, row_count, cells, fairing, intersections and finish; all options must be
+    /// valid.
     StitchOptions strip_options;
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
-    /// GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
+    /// Ignores groups, and outward and plan_only, which must be valid. With GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts
+    /// as GUSSET_KEEP_BORDERS.
     FillOptions fill_options;
-    /// Closed components face outwards by default. Others mostly keep the first piece's orientation.
+    /// Open components mostly keep the first piece's orientation.
     Outward outward = Outward::automatic;
     /// Treatment of overlapping pieces.
     Overlaps overlaps = Overlaps::keep;
@@ -175,11 +171,11 @@ struct StripOptions {
     Meridians meridians = Meridians::continuation;
     /// Search effort.
     StripSearch search = StripSearch::automatic;
-    /// First meridian of closed polylines; open ones start at their first points.
+    /// First meridian of a closed strip; open ones start at their first points.
     StripStart start = StripStart::automatic;
     /// 1 if the polylines are closed.
     bool closed = false;
-    /// Number of interior rows; mean edges are of both polylines.
+    /// Number of interior rows.
     RowRule rows = RowRule::none;
     /// Interior rows. A value sets rows to GUSSET_ROWS_COUNT.
     std::optional<uint32_t> row_count;
@@ -189,18 +185,17 @@ struct StripOptions {
 
 /// Options of gusset_orient. See ::gusset_orient_options.
 struct OrientOptions {
-    /// For closed components.
+    /// Side that closed components face.
     Outward outward = Outward::automatic;
 };
 
 /// Options of gusset_repair. See ::gusset_repair_options.
 struct RepairOptions {
-    /// Distance at which borders coincide, as in gusset_weld_options.
+    /// Source of the tolerance.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
     /// 1: borders are not sewn.
     bool leave_borders = false;
-    /// Largest distance of coincident borders, finite, at least 0. A value sets tolerance_mode to
-    /// GUSSET_TOLERANCE_GIVEN.
+    /// Largest distance of coincident borders. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
     std::optional<double> tolerance;
     /// 1: faces without area stay.
     bool leave_flat_faces = false;
@@ -210,13 +205,13 @@ struct RepairOptions {
     bool leave_non_manifold = false;
     /// 1: holes stay open.
     bool leave_holes = false;
-    /// 1: open sheets stay that were attached to a closed component.
+    /// 1: open sheets that were attached to closed components stay.
     bool leave_fins = false;
     /// 1: no component is oriented.
     bool leave_orientation = false;
-    /// 1: faces that intersect stay.
+    /// 1: intersecting faces stay.
     bool leave_intersections = false;
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    /// Ignores groups, and outward and plan_only, which must be valid.
     FillOptions fill_options;
 };
 
@@ -228,10 +223,10 @@ struct AlignmentOptions {
     uint32_t samples = 0;
     /// Rigid motions of the pieces, or NULL. Read only if start is GUSSET_ALIGN_AS_GIVEN.
     std::vector<gusset_transform> poses;
-    /// Largest distance of matched points, and about how far a piece may move; finite, at least 0. 0: a tenth of the
-    /// largest piece's box diagonal.
+    /// Largest distance of matched points, and about how far a piece may move. 0: a tenth of the largest piece's box
+    /// diagonal.
     double max_distance = 0.0;
-    /// Rounds in each of two stages, at most; 0: 100.
+    /// Most rounds in each of two stages; 0: 100.
     uint32_t max_rounds = 0;
 };
 
@@ -249,12 +244,12 @@ struct DevelopOptions {
     Distortion distortion = Distortion::symmetric;
     /// Most darts: cuts from a chart's border to where it is curved.
     uint32_t max_darts = 0;
-    /// Vertices of the paths to cut along, path after path, connected by the shortest paths along edges. A path of one
-    /// vertex cuts nothing.
+    /// Vertices of paths to cut along, path after path, connected by shortest edge paths. A path of one vertex cuts
+    /// nothing.
     std::vector<uint32_t> cuts;
     /// Start of each path in cuts, and the end of the last. Empty: one path.
     std::vector<uint32_t> cut_offsets;
-    /// Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
+    /// Darts stop once no length changes by a larger factor; above 1, finite; 0: none.
     double max_stretch = 0.0;
     /// Most steps of a descent; 0: 200. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
     /// several descents.
@@ -275,10 +270,10 @@ struct FacingOptions {
 
 /// Options of gusset_mesh_sections_create. See ::gusset_mesh_section_options.
 struct MeshSectionOptions {
-    /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
-    /// Polylines with points left out may cross each other or themselves.
+    /// Leaves out points up to this far from the polyline; 0: keeps all points. Polylines with points left out may
+    /// cross each other or themselves.
     double tolerance = 0.0;
-    /// The side of a plane to which vertices in the plane belong.
+    /// Side of vertices in a plane.
     InPlane in_plane = InPlane::above;
 };
 

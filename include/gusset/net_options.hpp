@@ -10,19 +10,19 @@ namespace gusset {
 
 /// Options of gusset_net_glue. See ::gusset_glue_options.
 struct GlueOptions {
-    /// For detect: largest distance of coincident nodes; at least 0, finite.
+    /// For detect: largest distance of coincident nodes.
     double tolerance = 0.0;
     /// Gluings to add.
     std::vector<gusset_gluing> gluings;
-    /// Links to contract; see contracted of gusset_net_analysis_view.
+    /// Links to contract, as in gusset_net_analysis_view.
     std::vector<uint32_t> links;
-    /// 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of coincident runs of
-    /// two or more side nodes in either direction. The orientation stays.
+    /// 1: replaces the gluing by the one that coordinates imply: coincident neighbours, and coincident runs of two or
+    /// more side nodes in either direction. The orientation stays.
     bool detect = false;
-    /// 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped. Nets that glue
-    /// equal neighbours then have equal matrices. detect implies it.
+    /// 1: contracts links with ends in one point, and drops redundant seams; detect implies it. Nets that glue equal
+    /// neighbours then have equal matrices.
     bool saturate = false;
-    /// 1: moves the nodes of a point to its first node, bit for bit.
+    /// 1: moves a point's nodes to its first, bit for bit.
     bool snap = false;
 };
 
@@ -30,7 +30,7 @@ struct GlueOptions {
 struct NetMeshOptions {
     /// Faces of a net's mesh.
     NetFaces faces = NetFaces::quads;
-    /// 1: one vertex for each node; 0: glued nodes are one vertex.
+    /// 1: a vertex for each node; 0: glued nodes are one.
     bool no_weld = false;
     /// 1: keeps finite vertices without faces and wires.
     bool keep_unused = false;
@@ -38,8 +38,8 @@ struct NetMeshOptions {
     bool fill_corners = false;
     /// 1: computes texture coordinates.
     bool texture = false;
-    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes depth jumps from
-    /// range images.
+    /// Omits faces with edges above this multiple of the median edge; 0: no limit. 4 removes depth jumps from range
+    /// images.
     double max_edge_ratio = 0.0;
 };
 
@@ -61,12 +61,12 @@ struct NetCopyOptions {
     std::size_t column_first = 0;
     /// Columns of the part, at least 2; 0: the rest.
     std::size_t column_count = 0;
-    /// Rows after replication, at least the present number; 0: none. Links between copies are contracted.
+    /// Rows after replication, at least the present; 0: none. Links between copies are contracted.
     std::size_t rows = 0;
     /// Columns after replication, likewise.
     std::size_t columns = 0;
-    /// 1: removes rows and columns that repeat the previous one: equal coordinates and links, contracted links between
-    /// both. Two rows, two columns and the ends of bridges stay.
+    /// 1: removes rows and columns that repeat the previous: equal coordinates and links, contracted links between. Two
+    /// of each and ends of bridges stay.
     bool compact = false;
     /// For rows.
     Replication row_replication = Replication::uniform;
@@ -78,13 +78,13 @@ struct NetCopyOptions {
     std::optional<uint32_t> column_index;
     /// Symmetry.
     NetTurn turn = NetTurn::none;
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
+    /// 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
     Scalar scalar{};
 };
 
 /// Options of gusset_net_concatenate_create. See ::gusset_concatenate_options.
 struct ConcatenateOptions {
-    /// For welding: largest distance of coincident nodes, at least 0.
+    /// For welding: largest distance of coincident nodes.
     double tolerance = 0.0;
     /// Properties of every new bridge.
     gusset_bridge_properties properties{};
@@ -96,15 +96,15 @@ struct ConcatenateOptions {
     Replication equalise = Replication::uniform;
     /// Row or column to replicate. A value sets equalise to GUSSET_REPLICATE_AT.
     std::optional<uint32_t> equalise_index;
-    /// Rotation in nodes of each later net along its closed side.
+    /// Rotation of each later net along its closed side, in nodes.
     uint32_t twist = 0;
     /// 1: flips nets along the side if oriented unlike the first; 0: refuses them.
     bool turn = false;
-    /// Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
+    /// Inner rows or columns of new bridges, even on lines; 0 for GUSSET_BRIDGE_WELD.
     uint32_t rows = 0;
 };
 
-/// Deformation to analyse; default: none. See ::gusset_net_analysis_options.
+/// Deformation; default: none. See ::gusset_net_analysis_options.
 struct NetAnalysisOptions {
     /// Deformed net of equal size; NULL: see fields.
     const gusset_net *after = nullptr;
@@ -112,14 +112,13 @@ struct NetAnalysisOptions {
     std::vector<gusset_field> fields;
     /// As for gusset_net_deform.
     double time = 0.0;
-    /// Lengths up to this count as 0; at least 0, finite.
+    /// Lengths up to it count as 0.
     double tolerance = 0.0;
 };
 
 /// Options of gusset_net_planarise. See ::gusset_planarise_options.
 struct PlanariseOptions {
-    /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
-    /// float.
+    /// Distance of corners from their mean plane, relative to the box diagonal; 0: 1e-10, float: 4e-7.
     double tolerance = 0.0;
     /// For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     std::vector<uint8_t> fixed;
@@ -131,13 +130,13 @@ struct PlanariseOptions {
 
 /// Options of gusset_net_settle. See ::gusset_settle_options.
 struct SettleOptions {
-    /// Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
+    /// Largest displacement in the last step, relative to the box diagonal; 0: 1e-12.
     double tolerance = 0.0;
     /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     double rest_ratio = 0.0;
-    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: the net itself.
+    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: itself.
     const gusset_net *reference = nullptr;
-    /// For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    /// For each part between bridges: 1 moves it as a rigid body, 0 holds it. NULL holds all.
     std::vector<uint8_t> free;
     /// Most steps; 0: 1000.
     uint32_t max_iterations = 0;

@@ -1,4 +1,4 @@
-/* Generated from src/capi; do not edit. See gusset.h. */
+/* Generated from src/capi; see gusset.h. */
 
 #ifndef GUSSET_SCENE_H
 #define GUSSET_SCENE_H
@@ -9,16 +9,15 @@
 extern "C" {
 #endif
 
-/* ---- Scenes: Nets in nested groups. */
+/*** Scenes. Parameters called entry, group and child are indices of entries. */
 
-/// Kind of a scene entry.
 typedef uint32_t gusset_scene_entry_kind;
 /// Net.
 #define GUSSET_SCENE_NET 0
 /// Group of entries.
 #define GUSSET_SCENE_GROUP 1
 
-/// Scene: nets in nested groups. Entries may belong to several groups; indices are never reused.
+/// Nets in nested groups. Entries may belong to several groups; indices are never reused.
 typedef struct gusset_scene gusset_scene;
 
 /// Entry of a scene.
@@ -29,14 +28,14 @@ typedef struct gusset_scene_entry_report {
     /// Entries in a group; 0 for a net.
     size_t child_count;
     gusset_scene_entry_kind kind;
-    /// 1: shown, unless an enclosing group is hidden. @flag
+    /// 1: shown, unless an enclosing group is hidden.
     uint32_t visible;
 } gusset_scene_entry_report;
 
 /// Size of a scene. Top-level entries are outside all groups.
 typedef struct gusset_scene_report {
     size_t struct_size;
-    /// Instances: paths from top-level entries; at most UINT64_MAX.
+    /// Paths from top-level entries; at most UINT64_MAX.
     uint64_t instances;
     /// Instances of nets.
     uint64_t net_instances;
@@ -44,52 +43,43 @@ typedef struct gusset_scene_report {
     uint32_t nets;
     /// Entries that are groups.
     uint32_t groups;
-    /// Entries of the longest path; 0 for an empty scene.
+    /// Entries of the longest path; 0 if empty.
     uint32_t levels;
     uint32_t reserved;
 } gusset_scene_report;
 
 /// Makes an empty scene.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_create(const struct gusset_context *context,
     struct gusset_scene **scene);
 
-/// Destroys a scene.
 GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 
-/// Adds a net, as it is now, or an empty group at top level.
+/// Adds a net, as it is now, or an empty group, at top level.
 /// @param net NULL adds a group.
-/// @param entry receives its index.
-/// @errors TOO_LARGE
+/// @param entry its index.
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add(const struct gusset_context *context,
     struct gusset_scene *scene, const struct gusset_net *net, uint32_t *entry);
 
 /// Appends an entry to a group, perhaps repeatedly.
-/// @param group the group.
-/// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (also if group is a net), SCENE_CYCLE
-/// @complexity O(1) for a child without children or a top-level group, else O(fewer entries of those below child and
+/// @complexity O(1) for a child without children or a top-level group, else O(the fewer of entries below child and
 ///     above group).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add_child(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t group, uint32_t child);
 
 /// Removes the first occurrence of an entry from a group.
-/// @param group the group.
-/// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (also if child is not in the group)
 /// @complexity O(children of the group + groups of the child).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_remove_child(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t group, uint32_t child);
 
-/// Removes an entry from the scene and its groups; its children stay.
-/// @param entry the entry.
+/// Removes an entry and its places in groups; its children stay.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(children of its groups + groups of its children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_remove(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t entry);
 
-/// Change of visibility.
 typedef uint32_t gusset_visibility;
 /// No change.
 #define GUSSET_VISIBILITY_KEEP 0
@@ -103,37 +93,30 @@ typedef struct gusset_scene_changes {
     size_t struct_size;
     /// New net, as it is now; NULL: no change.
     const struct gusset_net *net;
-    /// New map into its groups' space, finite; NULL: no change.
+    /// New map into its groups' space; NULL: no change.
     const struct gusset_transform *transform;
     gusset_visibility visibility;
     uint32_t reserved;
 } gusset_scene_changes;
 
 /// Changes the net, transform or visibility of an entry.
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_set_entry(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t entry, const struct gusset_scene_changes *changes);
 
 /// Describes an entry.
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_entry(const struct gusset_scene *scene, uint32_t entry,
     struct gusset_scene_entry_report *report);
 
 /// Makes a handle of an entry's net, which shares memory until changed.
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT (also for a group)
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_net_create(const struct gusset_context *context,
     const struct gusset_scene *scene, uint32_t entry, struct gusset_net **net);
 
 /// Writes the entries of a group, in order.
-/// @param group the group.
-/// @param children receives the entries.
-/// @param written receives the count.
-/// @errors NO_SUCH_ELEMENT (also for a net), BUFFER_TOO_SMALL
+/// @errors NO_SUCH_ELEMENT (also for a net)
 /// @complexity O(children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_children(const struct gusset_context *context,
     const struct gusset_scene *scene, uint32_t group, uint32_t *children, size_t capacity, size_t *written);
@@ -143,9 +126,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_children(const struct 
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
     struct gusset_scene_report *report);
 
-/* ---- Visible nets of a scene: Lists instances, and joins their nets into one. */
+/*** Visible nets of a scene */
 
-/// Instance: a path from top level to an entry.
+/// Path from top level to an entry.
 typedef struct gusset_scene_instance {
     /// Map into the scene's space.
     struct gusset_transform world;
@@ -153,15 +136,13 @@ typedef struct gusset_scene_instance {
     uint32_t entry;
     /// Instance of the enclosing group, or UINT32_MAX.
     uint32_t parent;
-    /// 1 unless the entry or an enclosing group is hidden. @flag
+    /// 1 unless the entry or an enclosing group is hidden.
     uint32_t visible;
     uint32_t reserved;
 } gusset_scene_instance;
 
 /// Writes all instances: each after its group, children in order.
-/// @param instances receives the instances.
-/// @param written receives the count.
-/// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
+/// @errors TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_world_transforms(const struct gusset_context *context,
     const struct gusset_scene *scene, struct gusset_scene_instance *instances, size_t capacity, size_t *written);
@@ -186,4 +167,4 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_unflatten_create(const str
 #ifdef __cplusplus
 }
 #endif
-#endif /* GUSSET_SCENE_H */
+#endif

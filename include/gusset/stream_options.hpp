@@ -10,23 +10,22 @@ namespace gusset {
 
 /// Options of gusset_net_encode_create. See ::gusset_stream_options.
 struct StreamOptions {
-    /// Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
+    /// Rows of each independent block; 0: about 2^17 nodes, or all for RAW.
     std::size_t rows_per_block = 0;
     /// Storage of coordinates in a stream.
     StreamMode mode = StreamMode::quantised;
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     uint32_t bits = 0;
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
+    /// QUANTISED. 1: each axis has its own step; 0: the longest extent's. Else 0.
     bool per_axis = false;
-    /// Smallest coordinates of all tiles, finite: level 0. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
+    /// Smallest coordinates of all tiles: level 0. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
     /// GUSSET_LEVELS_AUTO.
     std::optional<Point3> low;
     /// Largest coordinates of all tiles, at least low. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
     /// GUSSET_LEVELS_AUTO.
     std::optional<Point3> high;
-    /// Distance of levels on all axes, above 0; bits becomes the least number that reaches across the box, and must be
-    /// 0. 0: the distance follows from bits. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
-    /// GUSSET_LEVELS_AUTO.
+    /// Distance of levels on all axes, above 0; bits must be 0 and becomes the least number that spans the box. 0:
+    /// follows from bits. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty: GUSSET_LEVELS_AUTO.
     std::optional<double> step;
 };
 

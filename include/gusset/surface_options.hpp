@@ -10,11 +10,10 @@ namespace gusset {
 
 /// Options of gusset_surface_create. See ::gusset_surface_options.
 struct SurfaceOptions {
-    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the surface's box
-    /// diagonal.
+    /// Guaranteed accuracy of distances and positions. 0: 1e-9 of the surface's box diagonal.
     double tolerance = 0.0;
-    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such
-    /// query builds them.
+    /// 1: builds cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such query
+    /// does.
     bool cones = false;
 };
 
@@ -30,7 +29,7 @@ struct NodesOptions {
 
 /// Limits of a search for near points. See ::gusset_nearest_options.
 struct NearestOptions {
-    /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
+    /// Largest distance; 0 or INFINITY: no limit.
     double limit = 0.0;
     /// Minima: most, nearest first; 0: all.
     std::size_t max_count = 0;
@@ -38,8 +37,7 @@ struct NearestOptions {
 
 /// Density of points on curves. See ::gusset_contour_options.
 struct ContourOptions {
-    /// A length above 0, finite; at least the surface's tolerance applies. A value sets spacing to
-    /// GUSSET_POINT_SPACING_CHORD.
+    /// Above 0; at least the surface's tolerance applies. A value sets spacing to GUSSET_POINT_SPACING_CHORD.
     std::optional<double> chord;
     /// Curve points between crossings with cell sides.
     SpacingRule spacing = SpacingRule::automatic;
@@ -49,21 +47,20 @@ struct ContourOptions {
 
 /// Options of gusset_surface_intersection_create. See ::gusset_intersection_options.
 struct IntersectionOptions {
-    /// Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by about 15 %. At least
-    /// the smallest of `tolerance` and the surfaces' tolerances applies. A value sets spacing to
-    /// GUSSET_POINT_SPACING_CHORD.
+    /// Largest distance of the curve from its chords, above 0; rare chords exceed it by about 15 %. At least the
+    /// smallest of `tolerance` and the surfaces' applies. A value sets spacing to GUSSET_POINT_SPACING_CHORD.
     std::optional<double> chord;
-    /// Two surfaces touch where their gap or overlap stays within this length, finite; 0: the surfaces' smaller
-    /// tolerance. Self-intersections use at most the surface's. Branches shorter than all three may be lost.
+    /// Surfaces touch where their gap or overlap stays within it; 0: the surfaces' smaller tolerance.
+    /// Self-intersections use at most the surface's. Branches shorter than all three may be lost.
     double tolerance = 0.0;
-    /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
+    /// Not GUSSET_POINT_SPACING_LEUS; GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     SpacingRule spacing = SpacingRule::automatic;
 };
 
 /// Options among the inputs of gusset_spline. See ::gusset_spline.
 struct SplineOptions {
-    /// Largest distance from a rational spline at equal parameters; rounding requires about 1e-13 of the size. 0: 1e-12
-    /// of the control points' box diagonal, or more for rounding.
+    /// Largest distance from a rational spline at equal parameters, at least about 1e-13 of the size. 0: 1e-12 of the
+    /// controls' box diagonal, or more for rounding.
     double tolerance = 0.0;
     /// Most cells of a rational spline; 0: 2^20.
     std::size_t max_cells = 0;
@@ -71,11 +68,11 @@ struct SplineOptions {
 
 /// Options among the inputs of gusset_curve_net. See ::gusset_curve_net.
 struct CurveNetOptions {
-    /// Largest distance of curves that meet, finite; both move to the middle. 0: 1e-6 of the box diagonal.
+    /// Largest distance of curves that meet; both move to the middle. 0: 1e-6 of the box diagonal.
     double tolerance = 0.0;
-    /// 1: the columns are closed, and the first row follows the last.
+    /// 1: columns are closed; the first row follows the last.
     bool closed_u = false;
-    /// 1: the rows are closed, and the first column follows the last.
+    /// 1: rows are closed; the first column follows the last.
     bool closed_v = false;
 };
 

@@ -25,7 +25,7 @@ class Place(Record):
 
     @property
     def t(self) -> float:
-        """Parameter: 0 at the segment's first control point, 1 at its last."""
+        """Parameter, from 0 at the segment's start to 1 at its end."""
         return self._struct.t
 
 
@@ -42,7 +42,7 @@ class PlaceArray(RecordArray[Place]):
 
     @property
     def t(self) -> NDArray[np.float64]:
-        """Parameter: 0 at the segment's first control point, 1 at its last."""
+        """Parameter, from 0 at the segment's start to 1 at its end."""
         return self.array['t']
 
 
@@ -60,7 +60,7 @@ class CurveView(Record):
 
     @property
     def ends(self) -> NDArray[np.uint32]:
-        """Segment k has the control points ends[k] to ends[k + 1]."""
+        """Segment k has the controls ends[k] to ends[k + 1]."""
         return self._array('ends')
 
     @property
@@ -70,9 +70,9 @@ class CurveView(Record):
 
 
 class OutlineView(Record):
-    """Lent curves of all outlines. Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, and the ends
-    starts[2 k + 1] to starts[2 k + 3] - 1. Its segment s has the control points ends[s] to ends[s + 1], inclusive,
-    counted from the curve's first. A closed curve repeats its first control point at the end.
+    """Lent curves. Curve k has the controls starts[2k] to starts[2k + 2] - 1, and the ends starts[2k + 1] to
+    starts[2k + 3] - 1. Its segment s has controls ends[s] to ends[s + 1], counted from the curve's first. A closed
+    curve repeats its first control at the end.
     """
 
     __slots__ = ()
@@ -96,7 +96,7 @@ class OutlineView(Record):
 
     @property
     def starts(self) -> NDArray[np.uintp]:
-        """2 outline_count + 2 offsets."""
+        """Two offsets a curve, and two more."""
         return self._array('starts', self._struct.outline_count + 1, 2)
 
     @property
@@ -106,7 +106,7 @@ class OutlineView(Record):
 
     @property
     def parameters(self) -> NDArray[np.float64]:
-        """Parameter of each point in its segment, 0 to 1."""
+        """Parameter of each point, 0 to 1."""
         return self._array('parameters', self._struct.point_count)
 
     @property
@@ -144,7 +144,7 @@ class OutlineReport(Record):
 
     @property
     def max_residual(self) -> float:
-        """Largest distance of a point from the curve at its parameter; a merged point counts as its original."""
+        """Largest distance of a point from the curve at its parameter; merged points count as their originals."""
         return self._struct.max_residual
 
     @property
@@ -257,7 +257,7 @@ class CurveMeasures(Record):
 
     @property
     def centroid(self) -> NDArray[np.float64]:
-        """Centroid of the region; the start if the area is 0."""
+        """Centroid of the region, or the start if the area is 0."""
         return self._array('centroid')
 
     @property
@@ -285,13 +285,13 @@ class PlacesView(Record):
 
     @property
     def others(self) -> PlaceArray:
-        """Intersections: places on the second curve, or later ones on the same curve. Else NULL."""
+        """Intersections: places on the second curve, or later on the same. Else NULL."""
         return PlaceArray(self._array('others', self._struct.count))
 
     @property
     def overlaps(self) -> PlaceArray:
-        """Common parts, four places each: start and end on the first curve, then on the second. For tangent angles:
-        start and end, twice.
+        """Common parts, four places each: start and end on the first curve, then on the second (tangent angles: the
+        first).
         """
         return PlaceArray(self._array('overlaps', self._struct.overlap_count, 4))
 
@@ -302,7 +302,7 @@ class PlacesView(Record):
 
     @property
     def undecided(self) -> bool:
-        """1: segments that agree within rounding over a long part were not resolved."""
+        """1: segments that agree within rounding over long parts were not resolved."""
         return bool(self._struct.undecided)
 
 
@@ -314,12 +314,12 @@ class OffsetReport(Record):
 
     @property
     def deviation(self) -> float:
-        """Largest distance from the true offset at 16 places a segment."""
+        """Largest distance from the true offset, at 16 places a segment."""
         return self._struct.deviation
 
     @property
     def corners(self) -> int:
-        """Corners of the original, bridged by straight segments."""
+        """Corners of the original, bridged straight."""
         return self._struct.corners
 
     @property
@@ -329,7 +329,7 @@ class OffsetReport(Record):
 
     @property
     def tight(self) -> bool:
-        """1: a radius of curvature is at most the distance: there are cusps, or the offset runs backwards."""
+        """1: a radius of curvature is at most the distance: the offset has cusps or runs backwards."""
         return bool(self._struct.tight)
 
 
@@ -352,7 +352,7 @@ class CurveFormView(Record):
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """Contour points, or control points of a spline."""
+        """Points of a contour, controls of a spline."""
         return self._array('points', self._struct.point_count, 3)
 
     @property
@@ -372,7 +372,7 @@ class CurveFormView(Record):
 
 
 class FrameView(Record):
-    """Lent nodes, row by row, and curves of a frame."""
+    """Lent nodes, row by row, and curves."""
 
     __slots__ = ()
     _NAME = 'gusset_frame_view'
@@ -395,7 +395,7 @@ class FrameView(Record):
 
     @property
     def across(self) -> NDArray[np.float64]:
-        """Unit tangent of the curve across at each node; 0 if undefined."""
+        """Unit tangents of the curves across; 0 if undefined."""
         return self._array('across', self._struct.rows, self._struct.columns, 3)
 
     @property
@@ -410,7 +410,7 @@ class FrameView(Record):
 
     @property
     def ambiguous(self) -> NDArray[np.uint32]:
-        """Nodes whose half-plane meets their section several times."""
+        """Nodes whose half-plane meets the section several times."""
         return self._array('ambiguous')
 
     @property
@@ -502,14 +502,14 @@ class PieceMap(Record):
 
     @property
     def faces(self) -> NDArray[np.uint32]:
-        """Index of each face; for a split triangle, of its first part, which the others follow."""
+        """Index of each face; a split triangle's first part, which the others follow."""
         return self._array('faces')
 
 
 class Joint(Record):
     """Two loops, or runs of loops, that face each other. Indices are in the result. If borders coincide in part,
     sewing leaves a slit: a loop along the rest of both. In a slit joined with itself, both sides are on it, one with
-    both ends; whole is 0, and the strip lacks interior rows.
+    both ends; whole is 0, without rows.
     """
 
     __slots__ = ()
@@ -517,7 +517,7 @@ class Joint(Record):
 
     @property
     def side(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Vertices of each side in order, before components are turned outwards. If joined, both run from the first
+        """Vertices of each side in order, before turning components outwards. If joined, both run from the first
         meridian on.
         """
         return self._array('side', part=0), self._array('side', part=1)
@@ -549,7 +549,7 @@ class Joint(Record):
 
     @property
     def intersections(self) -> NDArray[np.uint32]:
-        """Pairs of intersecting faces, as in gusset_stitch_report."""
+        """As in gusset_stitch_report."""
         return self._array('intersections', -1, 2)
 
     @property
@@ -569,12 +569,12 @@ class Joint(Record):
 
     @property
     def finish(self) -> choices.Finish:
-        """Surface made; a strip may replace a blend."""
+        """Surface between the rims, or in a hole."""
         return word(self._struct.finish, 'gusset_finish')
 
 
 class LeftLoop(Record):
-    """Boundary loop of the sewn pieces without a strip, even if filled later."""
+    """Boundary loop of the sewn pieces without a strip, even if filled."""
 
     __slots__ = ()
     _NAME = 'gusset_left_loop'
@@ -586,8 +586,8 @@ class LeftLoop(Record):
 
     @property
     def gap(self) -> float:
-        """Mean distance to the loop nearest to most vertices, on another component if any. Infinite without one, or
-        if this loop cannot carry a strip. For a slit too wide: mean distance of its sides.
+        """Mean distance to the loop nearest to most vertices, on another component if any; infinite without one, or
+        if this loop cannot carry a strip. Too wide slit: mean distance of sides.
         """
         return self._struct.gap
 
@@ -636,14 +636,12 @@ class JoinReport(Record):
 
     @property
     def hole_rims(self) -> NDArray[np.uint32]:
-        """Rim vertices of holes, in the order before components are turned outwards."""
+        """Rim vertices of holes, in order, before turning components outwards."""
         return self._array('hole_rims')
 
     @property
     def turned(self) -> NDArray[np.uint32]:
-        """Old faces reversed against their pieces, by index in the result. New faces agree with the faces beside
-        them.
-        """
+        """Old faces reversed against their pieces, by index in the result."""
         return self._array('turned')
 
     @property
@@ -653,7 +651,7 @@ class JoinReport(Record):
 
     @property
     def zero_volume(self) -> NDArray[np.uint32]:
-        """A face of each closed component of volume 0 up to rounding. Empty with GUSSET_ORIENTATION_KEEP or
+        """A face of each closed component of volume 0 up to rounding; none with GUSSET_ORIENTATION_KEEP or
         GUSSET_OUTWARD_KEEP.
         """
         return self._array('zero_volume')
@@ -695,47 +693,45 @@ class JoinReport(Record):
 
     @property
     def near_edge_pairs(self) -> int:
-        """Pairs of boundary edges that coincide only within near_tolerance, and are not sewn."""
+        """As in gusset_weld_report."""
         return self._struct.near_edge_pairs
 
     @property
     def near_tolerance(self) -> float:
-        """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
+        """As in gusset_weld_report."""
         return self._struct.near_tolerance
 
     @property
     def lost_faces(self) -> NDArray[np.uint32]:
-        """Trimmed faces that no kept face covers, piece and face of each, ascending. Kept faces are farther than
-        max_distance of the trimming, or face another side.
+        """Trimmed faces, as (piece, face), ascending, without a kept face within max_distance of the trimming that
+        faces the same way.
         """
         return self._array('lost_faces', -1, 2)
 
     @property
     def left_origins(self) -> NDArray[np.uint32]:
-        """Piece and vertex of each loop in left: the first vertex on it that a piece has, UINT32_MAX twice without
-        one.
-        """
+        """Piece and vertex for each loop in left: the first that a piece has, else UINT32_MAX twice."""
         return self._array('left_origins', -1, 2)
 
     @property
     def hole_intersections(self) -> NDArray[np.uint32]:
-        """Pairs of intersecting faces, as in gusset_fill_report."""
+        """As intersections of gusset_fill_report."""
         return self._array('hole_intersections', -1, 2)
 
     @property
     def joint_cut_lengths(self) -> NDArray[np.float64]:
-        """Length of the segments in which the strip of each joint intersects faces."""
+        """Length along which each joint's strip intersects faces."""
         return self._array('joint_cut_lengths', self._struct.joint_count)
 
     @property
     def hole_cut_lengths(self) -> NDArray[np.float64]:
-        """Length of the segments in which the patch of each hole intersects faces."""
+        """Length along which each hole's patch intersects faces."""
         return self._array('hole_cut_lengths', self._struct.hole_count)
 
     @property
     def blend_avoids_cuts(self) -> NDArray[np.uint32]:
         """For each joint, 1 if its strip intersects faces and a blend would not, else 0. Tried with
-        GUSSET_INTERSECTIONS_AUTO on pieces that are not trimmed.
+        GUSSET_INTERSECTIONS_AUTO on untrimmed pieces.
         """
         return self._array('blend_avoids_cuts', self._struct.joint_count)
 
@@ -751,7 +747,7 @@ class JoinReport(Record):
 
 
 class StitchReport(Record):
-    """Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second."""
+    """Parts of a stitch, by index in the result. Entry 0 is the first mesh's, 1 the second's."""
 
     __slots__ = ()
     _NAME = 'gusset_stitch_report'
@@ -759,7 +755,7 @@ class StitchReport(Record):
 
     @property
     def vertex_map(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Index of each old vertex; empty for a missing second mesh."""
+        """Index of each old vertex; empty without a second mesh."""
         return self._array('vertex_map', part=0), self._array('vertex_map', part=1)
 
     @property
@@ -769,16 +765,16 @@ class StitchReport(Record):
 
     @property
     def rim(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Vertices of each rim, side by side from the first meridian on. The surface is left of rim 0 and right of
-        rim 1, before components are turned outwards. The strip's mesh begins with rim 0, then rim 1.
+        """Vertices of each rim from the first meridian on. Before turning components outwards, the surface is left of
+        rim 0 and right of rim 1.
         """
         return self._array('rim', part=0), self._array('rim', part=1)
 
     @property
     def meridians(self) -> NDArray[np.uint32]:
-        """Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole rims of N and M
-        vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by
-        1; with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD also both.
+        """Pairs (i, j) of rim indices, the matrix H. Whole rims of N and M vertices: from (0, 0) to (N, M), where
+        index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1; with GUSSET_MERIDIANS_INDEX and
+        GUSSET_MERIDIANS_QUAD also both.
         """
         return self._array('meridians', -1, 2)
 
@@ -789,8 +785,8 @@ class StitchReport(Record):
 
     @property
     def parents(self) -> NDArray[np.uint32]:
-        """Three rim vertices for each new vertex; new vertices come last. In a row: the ends of the meridian, the one
-        on rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired vertex.
+        """Three rim vertices for each new vertex. In a row: the meridian's ends, rim 1's twice. In a blend: the
+        corners of the strip triangle around the unfaired vertex.
         """
         return self._array('parents', -1, 3)
 
@@ -801,12 +797,12 @@ class StitchReport(Record):
 
     @property
     def strip_face_first(self) -> int:
-        """First face of the strip, which comes last."""
+        """First face of the strip."""
         return self._struct.strip_face_first
 
     @property
     def strip_face_count(self) -> int:
-        """Faces of the strip: N + M triangles for whole rims without rows, except in a blend."""
+        """N + M triangles for whole rims without rows, except in a blend."""
         return self._struct.strip_face_count
 
     @property
@@ -816,12 +812,12 @@ class StitchReport(Record):
 
     @property
     def closed(self) -> bool:
-        """1 for a closed band, 0 for a strip between arcs."""
+        """1 for a closed band, 0 between arcs."""
         return bool(self._struct.closed)
 
     @property
     def turned(self) -> bool:
-        """1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first corners."""
+        """1 if rim 1's component was reversed."""
         return bool(self._struct.turned)
 
     @property
@@ -839,17 +835,17 @@ class StitchReport(Record):
 
     @property
     def back_off_count(self) -> int:
-        """Times that fairing of rows, or of the kept blend, was moved back."""
+        """Times that faired rows, or the kept blend, moved back."""
         return self._struct.back_off_count
 
     @property
     def finish(self) -> choices.Finish:
-        """Surface made; a strip may replace a blend."""
+        """Surface between the rims, or in a hole."""
         return word(self._struct.finish, 'gusset_finish')
 
     @property
     def turned_outwards(self) -> NDArray[np.uint32]:
-        """Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner."""
+        """Faces that GUSSET_OUTWARD_CLOSED reversed, ascending."""
         return self._array('turned_outwards')
 
 
@@ -861,8 +857,8 @@ class Hole(Record):
 
     @property
     def rim_first(self) -> int:
-        """First vertex of the loop in rims, surface on the left before components are turned outwards; as given if
-        not simple, free or oriented.
+        """First vertex of the loop in rims, surface on the left before turning components outwards; as given if not
+        simple, free or oriented.
         """
         return self._struct.rim_first
 
@@ -873,7 +869,7 @@ class Hole(Record):
 
     @property
     def face_first(self) -> int:
-        """First face of the patch in the result; the same for loops that share a patch."""
+        """First face of the patch in the result, equal for loops that share it."""
         return self._struct.face_first
 
     @property
@@ -898,13 +894,13 @@ class Hole(Record):
 
     @property
     def diameter(self) -> float:
-        """Diagonal of the axis-aligned box of the loop."""
+        """Diagonal of the loop's axis-aligned box."""
         return self._struct.diameter
 
     @property
     def area(self) -> float:
-        """Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole,
-        else more.
+        """Area of triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole, else
+        more.
         """
         return self._struct.area
 
@@ -915,17 +911,17 @@ class Hole(Record):
 
     @property
     def weight(self) -> choices.FillWeight:
-        """As requested, or one with fewer intersections."""
+        """Weight that the triangulation of a hole minimises."""
         return word(self._struct.weight, 'gusset_fill_weight')
 
     @property
     def finish(self) -> choices.PatchFinish:
-        """As requested, or simpler with fewer intersections."""
+        """Vertices of a patch."""
         return word(self._struct.finish, 'gusset_patch_finish')
 
     @property
     def patch(self) -> int:
-        """Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always with
+        """Patch number, in the order of faces, equal for loops that share it; UINT32_MAX without a patch, always with
         plan_only.
         """
         return self._struct.patch
@@ -939,8 +935,8 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def rim_first(self) -> NDArray[np.uintp]:
-        """First vertex of the loop in rims, surface on the left before components are turned outwards; as given if
-        not simple, free or oriented.
+        """First vertex of the loop in rims, surface on the left before turning components outwards; as given if not
+        simple, free or oriented.
         """
         return self.array['rim_first']
 
@@ -951,7 +947,7 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def face_first(self) -> NDArray[np.uintp]:
-        """First face of the patch in the result; the same for loops that share a patch."""
+        """First face of the patch in the result, equal for loops that share it."""
         return self.array['face_first']
 
     @property
@@ -976,13 +972,13 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def diameter(self) -> NDArray[np.float64]:
-        """Diagonal of the axis-aligned box of the loop."""
+        """Diagonal of the loop's axis-aligned box."""
         return self.array['diameter']
 
     @property
     def area(self) -> NDArray[np.float64]:
-        """Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole,
-        else more.
+        """Area of triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole, else
+        more.
         """
         return self.array['area']
 
@@ -993,17 +989,17 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def weight(self) -> NDArray[np.str_]:
-        """As requested, or one with fewer intersections."""
+        """Weight that the triangulation of a hole minimises."""
         return words(self.array['weight'], 'gusset_fill_weight')
 
     @property
     def finish(self) -> NDArray[np.str_]:
-        """As requested, or simpler with fewer intersections."""
+        """Vertices of a patch."""
         return words(self.array['finish'], 'gusset_patch_finish')
 
     @property
     def patch(self) -> NDArray[np.uint32]:
-        """Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always with
+        """Patch number, in the order of faces, equal for loops that share it; UINT32_MAX without a patch, always with
         plan_only.
         """
         return self.array['patch']
@@ -1018,7 +1014,7 @@ class FillReport(Record):
 
     @property
     def holes(self) -> HoleArray:
-        """Given loops, or all as gusset_boundary_get_loop numbers them."""
+        """Given loops, or all in the order of gusset_boundary_get_loop."""
         return HoleArray(self._array('holes', self._struct.hole_count))
 
     @property
@@ -1033,19 +1029,19 @@ class FillReport(Record):
 
     @property
     def weights(self) -> NDArray[np.float64]:
-        """Weights of the parents, at least 0, sum 1. They give the nearest point on the plain triangulation of the
-        rims: the vertex itself in a flat patch, or without fairing and creases.
+        """Weights of the parents, at least 0, sum 1. They give the nearest point on the rims' plain triangulation:
+        the vertex itself in a flat patch, or without fairing and creases.
         """
         return self._array('weights', len(self.parents), 3)
 
     @property
     def intersections(self) -> NDArray[np.uint32]:
-        """Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index, a new face."""
+        """As in gusset_stitch_report, ascending: first the larger index, a new face."""
         return self._array('intersections', -1, 2)
 
     @property
     def turned_outwards(self) -> NDArray[np.uint32]:
-        """Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner."""
+        """Faces that GUSSET_OUTWARD_CLOSED reversed, ascending."""
         return self._array('turned_outwards')
 
     @property
@@ -1055,7 +1051,7 @@ class FillReport(Record):
 
     @property
     def coincident_edges(self) -> int:
-        """Boundary edges of the input that coincide with another. 0, and not looked for, for given loops."""
+        """Boundary edges of the input that coincide with another; 0, without a search, for given loops."""
         return self._struct.coincident_edges
 
 
@@ -1073,19 +1069,17 @@ class StripReport(Record):
 
     @property
     def meridians(self) -> NDArray[np.uint32]:
-        """Pairs (i, j) of indices from start on, as in gusset_stitch_report: to (N, M) if closed, else to (N - 1, M -
-        1).
-        """
+        """As in gusset_stitch_report, from start on: to (N, M) if closed, else to (N - 1, M - 1)."""
         return self._array('meridians', -1, 2)
 
     @property
     def matrix(self) -> NDArray[np.uint32]:
-        """The matrix P: vertices row by row from A to B, a column for each meridian."""
+        """The matrix P, as in gusset_stitch_report."""
         return self._array('matrix', self._struct.row_count + 2, -1)
 
     @property
     def parents(self) -> NDArray[np.uint32]:
-        """Ends on A and B of each new vertex's meridian; new vertices come last."""
+        """Ends on A and B of each new vertex's meridian."""
         return self._array('parents', -1, 2)
 
     @property
@@ -1095,7 +1089,7 @@ class StripReport(Record):
 
     @property
     def row_count(self) -> int:
-        """Interior rows, two less than in the matrix; 0 without a face."""
+        """As in gusset_stitch_report; 0 without a face."""
         return self._struct.row_count
 
 
@@ -1108,7 +1102,7 @@ class WeldReport(Record):
 
     @property
     def vertex_map(self) -> NDArray[np.uint32]:
-        """Index of each vertex in the result; UINT32_MAX if removed as unused."""
+        """Index of each vertex in the result; UINT32_MAX if removed."""
         return self._array('vertex_map')
 
     @property
@@ -1118,7 +1112,7 @@ class WeldReport(Record):
 
     @property
     def left_edges(self) -> NDArray[np.uint32]:
-        """Half-edges of boundary edges that coincide with another edge but are not sewn."""
+        """Half-edges of boundary edges that coincide with another edge but stay apart."""
         return self._array('left_edges')
 
     @property
@@ -1143,7 +1137,7 @@ class WeldReport(Record):
 
     @property
     def near_edge_pairs(self) -> int:
-        """Pairs of boundary edges that coincide only within near_tolerance, and are not sewn."""
+        """Pairs of boundary edges that coincide only within near_tolerance, not sewn."""
         return self._struct.near_edge_pairs
 
     @property
@@ -1153,7 +1147,7 @@ class WeldReport(Record):
 
     @property
     def near_tolerance(self) -> float:
-        """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
+        """Tolerance that sews near_edge_pairs, at most a tenth of the edges there; 0 without any."""
         return self._struct.near_tolerance
 
 
@@ -1166,12 +1160,12 @@ class SewReport(Record):
 
     @property
     def vertex_map(self) -> NDArray[np.uint32]:
-        """Index of each old vertex in the result, as in gusset_weld_report."""
+        """As in gusset_weld_report."""
         return self._array('vertex_map')
 
     @property
     def face_map(self) -> NDArray[np.uint32]:
-        """Index of each old face's first part in the result; UINT32_MAX if dropped."""
+        """Index of each old face's first part; UINT32_MAX if dropped."""
         return self._array('face_map')
 
     @property
@@ -1211,22 +1205,22 @@ class SewReport(Record):
 
     @property
     def near_edge_pairs(self) -> int:
-        """Pairs of boundary edges that coincide only within near_tolerance, and are not sewn."""
+        """As in gusset_weld_report."""
         return self._struct.near_edge_pairs
 
     @property
     def tolerance(self) -> float:
-        """Largest distance at which elements coincide, except at short edges; 0 for equal positions."""
+        """As in gusset_weld_report."""
         return self._struct.tolerance
 
     @property
     def near_tolerance(self) -> float:
-        """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
+        """As in gusset_weld_report."""
         return self._struct.near_tolerance
 
 
 class OrientReport(Record):
-    """Faces that were turned over, and components that cannot be oriented."""
+    """Faces turned over, and components that cannot be oriented."""
 
     __slots__ = ()
     _NAME = 'gusset_orient_report'
@@ -1244,7 +1238,7 @@ class OrientReport(Record):
 
     @property
     def one_sided_half_edges(self) -> NDArray[np.uint32]:
-        """For each of them, a half-edge at which its faces cannot agree."""
+        """For each of them, a half-edge where faces cannot agree."""
         return self._array('one_sided_half_edges')
 
     @property
@@ -1254,7 +1248,7 @@ class OrientReport(Record):
 
     @property
     def component_count(self) -> int:
-        """Components: faces connected across edges with two faces. A degenerate face is a component."""
+        """Components: faces connected by edges with two faces. A degenerate face is one."""
         return self._struct.component_count
 
     @property
@@ -1264,7 +1258,7 @@ class OrientReport(Record):
 
 
 class RepairReport(Record):
-    """Effects of a repair, and the defects that remain."""
+    """Changes, and defects that the result still has (_left)."""
 
     __slots__ = ()
     _NAME = 'gusset_repair_report'
@@ -1272,8 +1266,8 @@ class RepairReport(Record):
 
     @property
     def valid(self) -> bool:
-        """1 if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate or intersecting
-        faces, and without faces of area 0.
+        """1 if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate, intersecting or
+        zero-area faces.
         """
         return bool(self._struct.valid)
 
@@ -1289,12 +1283,12 @@ class RepairReport(Record):
 
     @property
     def split_faces(self) -> int:
-        """Old faces that were split or gained corners when borders were sewn."""
+        """Old faces that sewing split or gave corners."""
         return self._struct.split_faces
 
     @property
     def split_vertices(self) -> int:
-        """Copies of vertices that separate sheets of faces."""
+        """Copies of vertices that separate sheets."""
         return self._struct.split_vertices
 
     @property
@@ -1304,42 +1298,42 @@ class RepairReport(Record):
 
     @property
     def boundary_edges_left(self) -> int:
-        """Boundary edges of the result."""
+        """Boundary edges."""
         return self._struct.boundary_edges_left
 
     @property
     def non_manifold_edges_left(self) -> int:
-        """Non-manifold edges of the result."""
+        """Non-manifold edges."""
         return self._struct.non_manifold_edges_left
 
     @property
     def non_manifold_vertices_left(self) -> int:
-        """Non-manifold vertices of the result."""
+        """Non-manifold vertices."""
         return self._struct.non_manifold_vertices_left
 
     @property
     def orientation_conflicts_left(self) -> int:
-        """Edges of the result whose two faces disagree in orientation."""
+        """Edges whose two faces disagree in orientation."""
         return self._struct.orientation_conflicts_left
 
     @property
     def bad_faces_left(self) -> int:
-        """Degenerate, duplicate and zero-area faces of the result."""
+        """Degenerate, duplicate and zero-area faces."""
         return self._struct.bad_faces_left
 
     @property
     def tolerance(self) -> float:
-        """Largest distance at which vertices were merged; 0 without any."""
+        """Largest distance of merged vertices; 0 without any."""
         return self._struct.tolerance
 
     @property
     def face_origin(self) -> NDArray[np.uint32]:
-        """Old face of each face, or of which it is a part; UINT32_MAX for faces of patches, which come last."""
+        """Old face that each face is or is part of; UINT32_MAX for patches, which come last."""
         return self._array('face_origin')
 
     @property
     def vertex_origin(self) -> NDArray[np.uint32]:
-        """Smallest old vertex that each vertex is; UINT32_MAX for new vertices, which come last."""
+        """Smallest old vertex that each vertex is; UINT32_MAX for new ones, which come last."""
         return self._array('vertex_origin')
 
     @property
@@ -1349,17 +1343,17 @@ class RepairReport(Record):
 
     @property
     def dropped_faces(self) -> NDArray[np.uint32]:
-        """Dropped old faces, ascending. Faces with a remaining part are not listed."""
+        """Old faces without a remaining part, ascending."""
         return self._array('dropped_faces')
 
     @property
     def drop_reasons(self) -> NDArray[np.str_]:
-        """Reason for each of them."""
+        """Reason why a face was dropped."""
         return words(self._array('drop_reasons', self._struct.dropped_count), 'gusset_drop_reason')
 
     @property
     def intersecting_pairs(self) -> NDArray[np.uint32]:
-        """Pairs of faces that intersect in the result, ascending, the smaller face first."""
+        """Intersecting pairs in the result, ascending, smaller face first."""
         return self._array('intersecting_pairs', -1, 2)
 
 
@@ -1439,12 +1433,12 @@ class Overlap(Record):
 
     @property
     def fit(self) -> float:
-        """Fraction on the other piece of the points within 8 mean edges of it, 0 to 1."""
+        """Fraction on the other piece of points within 8 mean edges of it, 0 to 1."""
         return self._struct.fit
 
     @property
     def count(self) -> int:
-        """Points on the other piece."""
+        """Number of overlapping points."""
         return self._struct.count
 
     @property
@@ -1481,12 +1475,12 @@ class OverlapArray(RecordArray[Overlap]):
 
     @property
     def fit(self) -> NDArray[np.float64]:
-        """Fraction on the other piece of the points within 8 mean edges of it, 0 to 1."""
+        """Fraction on the other piece of points within 8 mean edges of it, 0 to 1."""
         return self.array['fit']
 
     @property
     def count(self) -> NDArray[np.uint32]:
-        """Points on the other piece."""
+        """Number of overlapping points."""
         return self.array['count']
 
     @property
@@ -1519,7 +1513,7 @@ class AlignmentView(Record):
 
     @property
     def converged(self) -> bool:
-        """1 if the pieces stopped moving before the rounds ran out."""
+        """1 if pieces stopped before the rounds ran out."""
         return bool(self._struct.converged)
 
 
@@ -1554,7 +1548,7 @@ class TrimView(Record):
 
     @property
     def crossings(self) -> int:
-        """Faces removed at last, with their neighbours, for intersecting an earlier piece."""
+        """Faces removed, with neighbours, for intersecting an earlier piece."""
         return self._struct.crossings
 
 
@@ -1567,7 +1561,7 @@ class LoopView(Record):
 
     @property
     def vertices(self) -> NDArray[np.uint32]:
-        """Vertices, each once. A closed loop starts at its smallest half-edge."""
+        """Vertices, each once. Closed loops start at their smallest half-edge."""
         return self._array('vertices')
 
     @property
@@ -1592,7 +1586,7 @@ class LoopView(Record):
 
     @property
     def flags(self) -> frozenset[choices.LoopFlags]:
-        """Properties of the loop; 0 if ordinary and closed."""
+        """Properties of a loop."""
         return flags(self._struct.flags, 'gusset_loop_flags')
 
     @property
@@ -1624,7 +1618,7 @@ class Defect(Record):
 
     @property
     def count(self) -> int:
-        """Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0."""
+        """Half-edges of a non-manifold edge; else 0."""
         return self._struct.count
 
 
@@ -1651,7 +1645,7 @@ class DefectArray(RecordArray[Defect]):
 
     @property
     def count(self) -> NDArray[np.uint32]:
-        """Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0."""
+        """Half-edges of a non-manifold edge; else 0."""
         return self.array['count']
 
 
@@ -1669,7 +1663,7 @@ class BoundaryView(Record):
 
     @property
     def walk_count(self) -> int:
-        """Walks that loops were cut from. Loops that touch share a walk if it passes from one to the other."""
+        """Walks that loops were cut from. Touching loops share a walk that passes from one to the other."""
         return self._struct.walk_count
 
     @property
@@ -1679,7 +1673,7 @@ class BoundaryView(Record):
 
 
 class CheckView(Record):
-    """Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces have no edges."""
+    """Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces lack edges."""
 
     __slots__ = ()
     _NAME = 'gusset_check_view'
@@ -1707,7 +1701,7 @@ class CheckView(Record):
 
     @property
     def boundary_walk_count(self) -> int:
-        """As walk_count of gusset_boundary_view."""
+        """Number of boundary walks."""
         return self._struct.boundary_walk_count
 
     @property
@@ -1742,12 +1736,12 @@ class CheckView(Record):
 
     @property
     def bow_ties(self) -> NDArray[np.uint32]:
-        """Vertices whose faces form more than one fan; usually also ends of non-manifold edges."""
+        """Vertices whose faces form several fans; usually also ends of non-manifold edges."""
         return self._array('bow_ties')
 
     @property
     def orientation_conflicts(self) -> NDArray[np.uint32]:
-        """First half-edge of each edge whose two faces run it in the same direction."""
+        """First half-edge of each edge whose two faces run it in one direction."""
         return self._array('orientation_conflicts')
 
     @property
@@ -1772,9 +1766,9 @@ class CheckView(Record):
 
 
 class CertificateView(Record):
-    """Facts about a result. Faces match if they have the same positions at their corners, from any corner; -0 equals
-    0. Each result face matches at most one face of the pieces. Faces with fewer than three edges between different
-    vertices have no edges.
+    """Facts about a result. Faces match by the positions of their corners, from any corner; -0 equals 0. Each result
+    face matches at most one face of the pieces. Edges connect different vertices; a face with fewer than three has
+    none. Shared edges connect components.
     """
 
     __slots__ = ()
@@ -1788,7 +1782,7 @@ class CertificateView(Record):
 
     @property
     def edge_count(self) -> int:
-        """Distinct edges, between different vertices."""
+        """Number of edges."""
         return self._struct.edge_count
 
     @property
@@ -1798,7 +1792,7 @@ class CertificateView(Record):
 
     @property
     def component_count(self) -> int:
-        """Components: faces connected by shared edges."""
+        """Number of components."""
         return self._struct.component_count
 
     @property
@@ -1808,8 +1802,8 @@ class CertificateView(Record):
 
     @property
     def outward(self) -> bool:
-        """1 if closed and oriented without intersecting pairs, and each component faces outwards. A component that an
-        odd number of others encloses has a negative volume, any other a positive one.
+        """1 if closed and oriented without intersecting pairs, and facing outwards. A component that an odd number of
+        others encloses has a negative volume, any other a positive one.
         """
         return bool(self._struct.outward)
 
@@ -1825,12 +1819,12 @@ class CertificateView(Record):
 
     @property
     def non_manifold_vertices(self) -> int:
-        """Ends of non-manifold edges, and vertices whose faces form several fans."""
+        """Ends of non-manifold edges, and vertices with several fans."""
         return self._struct.non_manifold_vertices
 
     @property
     def orientation_conflicts(self) -> int:
-        """Edges whose two faces run them in the same direction."""
+        """Edges whose two faces run them in one direction."""
         return self._struct.orientation_conflicts
 
     @property
@@ -1840,22 +1834,22 @@ class CertificateView(Record):
 
     @property
     def duplicate_faces(self) -> int:
-        """Faces with the cycle of vertices of an earlier face, in either direction; none degenerate."""
+        """As in gusset_check_view."""
         return self._struct.duplicate_faces
 
     @property
     def collinear_triangles(self) -> int:
-        """Triangles whose three different vertices lie on one line, also triangles of polygons."""
+        """Triangles, also of polygons, with three different vertices on one line."""
         return self._struct.collinear_triangles
 
     @property
     def new_faces(self) -> int:
-        """Faces of the result that match no face of the pieces."""
+        """Faces that match no face of the pieces."""
         return self._struct.new_faces
 
     @property
     def intersecting_pairs(self) -> int:
-        """Pairs of faces with common points other than common vertices and edges."""
+        """Pairs of faces with common points beyond common vertices and edges."""
         return self._struct.intersecting_pairs
 
     @property
@@ -1865,19 +1859,17 @@ class CertificateView(Record):
 
     @property
     def turned_faces(self) -> NDArray[np.uint32]:
-        """Faces of the pieces that the result has only reversed, as (piece, face), ascending."""
+        """Faces that the result has only reversed, as (piece, face), ascending."""
         return self._array('turned_faces', -1, 2)
 
     @property
     def lost_faces(self) -> NDArray[np.uint32]:
-        """Faces of the pieces that the result lacks, as (piece, face), ascending."""
+        """Faces that the result lacks, as (piece, face), ascending."""
         return self._array('lost_faces', -1, 2)
 
     @property
     def farthest_distance(self) -> float:
-        """Largest distance of a vertex of the pieces from the nearest vertex of the result, where faces use both; 0
-        if all such vertices remain.
-        """
+        """Largest distance of a used vertex of the pieces from the result's nearest used vertex; 0 if all remain."""
         return self._struct.farthest_distance
 
     @property
@@ -1897,7 +1889,7 @@ class CertificateView(Record):
 
     @property
     def polygon_triangles(self) -> NDArray[np.uint32]:
-        """Triangles of the result's faces with more than three corners, as half-edges, face by face."""
+        """Triangles of faces with more than three corners, as half-edges, face by face."""
         return self._array('polygon_triangles', -1, 3)
 
 
@@ -1934,20 +1926,20 @@ class Chart(Record):
 
     @property
     def overlaps(self) -> int:
-        """Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by more than
-        1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
+        """Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by over 1e-8
+        of the area's root. GUSSET_CHART_FOLDED: all. Else 0.
         """
         return self._struct.overlaps
 
     @property
     def folds(self) -> int:
-        """Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED."""
+        """Triangles turned over, by GUSSET_CHART_FOLDED only."""
         return self._struct.folds
 
     @property
     def energy(self) -> float:
-        """Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both singular values s
-        of the map. An isometry has the least, 4.
+        """Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular values s of the
+        map; 4 for an isometry, else more.
         """
         return self._struct.energy
 
@@ -2005,20 +1997,20 @@ class ChartArray(RecordArray[Chart]):
 
     @property
     def overlaps(self) -> NDArray[np.uint32]:
-        """Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by more than
-        1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
+        """Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by over 1e-8
+        of the area's root. GUSSET_CHART_FOLDED: all. Else 0.
         """
         return self.array['overlaps']
 
     @property
     def folds(self) -> NDArray[np.uint32]:
-        """Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED."""
+        """Triangles turned over, by GUSSET_CHART_FOLDED only."""
         return self.array['folds']
 
     @property
     def energy(self) -> NDArray[np.float64]:
-        """Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both singular values s
-        of the map. An isometry has the least, 4.
+        """Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular values s of the
+        map; 4 for an isometry, else more.
         """
         return self.array['energy']
 
@@ -2067,7 +2059,7 @@ class DevelopReport(Record):
 
     @property
     def stretches(self) -> NDArray[np.float64]:
-        """Largest and smallest factor by which lengths grow, for each face."""
+        """Largest and smallest factor by which each face's lengths grow."""
         return self._array('stretches', len(self.face_charts), 2)
 
     @property
@@ -2115,7 +2107,7 @@ class FacingView(Record):
 
     @property
     def runs(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """First index and length of each run of facing vertices, alternating; a run may pass the loop's end."""
+        """First index and length of each run of facing vertices, alternating; runs may pass the loop's end."""
         return self._array('runs', -1, 2, part=0), self._array('runs', -1, 2, part=1)
 
     @property
@@ -2137,12 +2129,12 @@ class SectionPath(Record):
 
     @property
     def closed(self) -> bool:
-        """1: returns to its first point, which is not repeated."""
+        """1: returns to its first point, not repeated."""
         return bool(self._struct.closed)
 
     @property
     def parent(self) -> int:
-        """Smallest closed path of the same plane around a closed path, or UINT32_MAX."""
+        """Smallest closed path of the plane around a closed path, or UINT32_MAX."""
         return self._struct.parent
 
     @property
@@ -2157,8 +2149,8 @@ class SectionPath(Record):
 
     @property
     def area(self) -> float:
-        """Area inside a closed path, with all points; positive if counter-clockwise seen against the plane's normal.
-        Else 0.
+        """Area inside a closed path, with all points, positive if counter-clockwise seen against the plane's normal;
+        else 0.
         """
         return self._struct.area
 
@@ -2176,12 +2168,12 @@ class SectionPathArray(RecordArray[SectionPath]):
 
     @property
     def closed(self) -> NDArray[np.bool_]:
-        """1: returns to its first point, which is not repeated."""
+        """1: returns to its first point, not repeated."""
         return self.array['closed'] != 0
 
     @property
     def parent(self) -> NDArray[np.uint32]:
-        """Smallest closed path of the same plane around a closed path, or UINT32_MAX."""
+        """Smallest closed path of the plane around a closed path, or UINT32_MAX."""
         return self.array['parent']
 
     @property
@@ -2196,8 +2188,8 @@ class SectionPathArray(RecordArray[SectionPath]):
 
     @property
     def area(self) -> NDArray[np.float64]:
-        """Area inside a closed path, with all points; positive if counter-clockwise seen against the plane's normal.
-        Else 0.
+        """Area inside a closed path, with all points, positive if counter-clockwise seen against the plane's normal;
+        else 0.
         """
         return self.array['area']
 
@@ -2241,9 +2233,7 @@ class MeshSectionsView(Record):
 
     @property
     def faces(self) -> NDArray[np.uint32]:
-        """Face of the segment after each point, the first of several after leaving out points; UINT32_MAX at the end
-        of an open path.
-        """
+        """Face of the segment after each point, the first if points were left out; UINT32_MAX at an open path's end."""
         return self._array('faces')
 
 
@@ -2278,29 +2268,29 @@ class OriginsView(Record):
 
 
 class Seam(Record):
-    """Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B."""
+    """Glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B."""
 
     __slots__ = ()
     _NAME = 'gusset_seam'
 
     @property
     def row_a(self) -> int:
-        """Row of the first node of A."""
+        """First row of A."""
         return self._struct.row_a
 
     @property
     def column_a(self) -> int:
-        """Column of the first node of A."""
+        """First column of A."""
         return self._struct.column_a
 
     @property
     def row_step_a(self) -> int:
-        """Rows from node to node."""
+        """Rows a step."""
         return self._struct.row_step_a
 
     @property
     def column_step_a(self) -> int:
-        """Columns from node to node."""
+        """Columns a step."""
         return self._struct.column_step_a
 
     @property
@@ -2325,34 +2315,34 @@ class Seam(Record):
 
     @property
     def count(self) -> int:
-        """Nodes, at least 1; 1 if all steps are 0."""
+        """Nodes, at least 1; exactly 1 if all steps are 0."""
         return self._struct.count
 
 
 class SeamArray(RecordArray[Seam]):
-    """Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B."""
+    """Glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B."""
 
     __slots__ = ()
     RECORD = Seam
 
     @property
     def row_a(self) -> NDArray[np.uint32]:
-        """Row of the first node of A."""
+        """First row of A."""
         return self.array['row_a']
 
     @property
     def column_a(self) -> NDArray[np.uint32]:
-        """Column of the first node of A."""
+        """First column of A."""
         return self.array['column_a']
 
     @property
     def row_step_a(self) -> NDArray[np.int32]:
-        """Rows from node to node."""
+        """Rows a step."""
         return self.array['row_step_a']
 
     @property
     def column_step_a(self) -> NDArray[np.int32]:
-        """Columns from node to node."""
+        """Columns a step."""
         return self.array['column_step_a']
 
     @property
@@ -2377,12 +2367,12 @@ class SeamArray(RecordArray[Seam]):
 
     @property
     def count(self) -> NDArray[np.uint32]:
-        """Nodes, at least 1; 1 if all steps are 0."""
+        """Nodes, at least 1; exactly 1 if all steps are 0."""
         return self.array['count']
 
 
 class NetGluingReport(Record):
-    """Gluing of a net in normal form: sides replace links, and links replace seams, where possible."""
+    """Gluing in normal form: sides replace links, and links seams, where possible."""
 
     __slots__ = ()
     _NAME = 'gusset_net_gluing_report'
@@ -2390,7 +2380,7 @@ class NetGluingReport(Record):
 
     @property
     def matrix_size(self) -> int:
-        """Bytes of the characteristic matrix: 2 * rows * columns."""
+        """Bytes of the matrix: 2 * rows * columns."""
         return self._struct.matrix_size
 
     @property
@@ -2405,7 +2395,7 @@ class NetGluingReport(Record):
 
     @property
     def sides(self) -> frozenset[choices.Sides]:
-        """Sides, if they describe all links; else UINT32_MAX."""
+        """UINT32_MAX unless sides describe all links."""
         return flags(self._struct.sides, 'gusset_sides')
 
     @property
@@ -2423,7 +2413,7 @@ class NetGroupsView(Record):
 
     @property
     def offsets(self) -> NDArray[np.uint32]:
-        """Group k is members[offsets[k]] to members[offsets[k + 1] - 1]."""
+        """Offsets into members, by group."""
         return self._array('offsets')
 
     @property
@@ -2433,7 +2423,7 @@ class NetGroupsView(Record):
 
 
 class GluingOccurrence(Record):
-    """Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4."""
+    """Local gluing: n(a,b) at a node or c(a,b) at a cell."""
 
     __slots__ = ()
     _NAME = 'gusset_gluing_occurrence'
@@ -2455,13 +2445,13 @@ class GluingOccurrence(Record):
 
     @property
     def a(self) -> int:
-        """At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal."""
+        """Node: nodes glued to it. Cell: glued links, at most 3; 1 for a diagonal."""
         return self._struct.a
 
     @property
     def b(self) -> int:
-        """At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other links between them,
-        0 or 1. For a diagonal: 2. Else UINT32_MAX.
+        """Node with two glued links: 1 if adjacent, 2 if opposite. Cell with two: other links between them, 0 or 1.
+        Diagonal: 2. Else UINT32_MAX.
         """
         return self._struct.b
 
@@ -2477,12 +2467,12 @@ class GluingOccurrence(Record):
 
     @property
     def class_size(self) -> int:
-        """Nodes of the point; exceeds node_order where gluings meet."""
+        """Nodes of the point, above node_order where gluings meet."""
         return self._struct.class_size
 
 
 class GluingOccurrenceArray(RecordArray[GluingOccurrence]):
-    """Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4."""
+    """Local gluing: n(a,b) at a node or c(a,b) at a cell."""
 
     __slots__ = ()
     RECORD = GluingOccurrence
@@ -2504,13 +2494,13 @@ class GluingOccurrenceArray(RecordArray[GluingOccurrence]):
 
     @property
     def a(self) -> NDArray[np.uint32]:
-        """At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal."""
+        """Node: nodes glued to it. Cell: glued links, at most 3; 1 for a diagonal."""
         return self.array['a']
 
     @property
     def b(self) -> NDArray[np.uint32]:
-        """At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other links between them,
-        0 or 1. For a diagonal: 2. Else UINT32_MAX.
+        """Node with two glued links: 1 if adjacent, 2 if opposite. Cell with two: other links between them, 0 or 1.
+        Diagonal: 2. Else UINT32_MAX.
         """
         return self.array['b']
 
@@ -2526,7 +2516,7 @@ class GluingOccurrenceArray(RecordArray[GluingOccurrence]):
 
     @property
     def class_size(self) -> NDArray[np.uint32]:
-        """Nodes of the point; exceeds node_order where gluings meet."""
+        """Nodes of the point, above node_order where gluings meet."""
         return self.array['class_size']
 
 
@@ -2543,8 +2533,8 @@ class NetMeasureReport(Record):
 
     @property
     def volume(self) -> float:
-        """Enclosed volume of a closed two-sided net, positive if normals point outwards; else volume of the cone to
-        the first node.
+        """Enclosed volume of a closed two-sided net, positive if normals point outwards; else of the cone to the
+        first node.
         """
         return self._struct.volume
 
@@ -2555,7 +2545,7 @@ class NetMeasureReport(Record):
 
     @property
     def low(self) -> NDArray[np.float64]:
-        """Smallest coordinates of the present nodes; infinite if all are missing."""
+        """Smallest coordinates; infinite if all nodes are missing."""
         return self._array('low')
 
     @property
@@ -2565,19 +2555,19 @@ class NetMeasureReport(Record):
 
     @property
     def bilinear_area(self) -> float:
-        """Area of the cells' bilinear patches, up to rounding; exceeds area unless cells are planar. All layers of a
-        folded patch count.
+        """Area of the cells' bilinear patches, up to rounding; above area unless cells are planar. All layers of
+        folds count.
         """
         return self._struct.bilinear_area
 
     @property
     def bilinear_error(self) -> float:
-        """Bound of the error of bilinear_area."""
+        """Bound of bilinear_area's error."""
         return self._struct.bilinear_error
 
     @property
     def body_volume(self) -> float:
-        """Volume of the body in a closed net; negative if normals point inwards."""
+        """Volume of the body in a closed net, negative if normals point inwards."""
         return self._struct.body_volume
 
     @property
@@ -2587,9 +2577,7 @@ class NetMeasureReport(Record):
 
     @property
     def inertia(self) -> NDArray[np.float64]:
-        """Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 etc.; else of -x
-        y etc.
-        """
+        """Inertia tensor about the centroid, density 1. Diagonal: integrals of y^2 + z^2 etc.; else of -x y etc."""
         return self._array('inertia', 3, 3)
 
 
@@ -2606,7 +2594,7 @@ class NetPlanarityReport(Record):
 
     @property
     def worst_cell(self) -> int:
-        """Its cell; 2^64 - 1 without cells."""
+        """Its cell; UINT64_MAX without cells."""
         return self._struct.worst_cell
 
     @property
@@ -2644,7 +2632,7 @@ class NetMeshReport(Record):
 
     @property
     def wires(self) -> NDArray[np.uint32]:
-        """Edges without faces, two vertices each: cells whose opposite sides are glued."""
+        """Edges without faces, two vertices each: cells with opposite sides glued."""
         return self._array('wires', -1, 2)
 
     @property
@@ -2672,14 +2660,12 @@ class NetGridView(Record):
 
     @property
     def face_of_cell(self) -> NDArray[np.uint32]:
-        """Face of each cell; for GUSSET_GRID_TRIANGLES, the first of its two."""
+        """Face of each cell, the first of two for GUSSET_GRID_TRIANGLES."""
         return self._array('face_of_cell')
 
 
 class BridgeProperties(Record):
-    """Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across the bridge along
-    links.
-    """
+    """Properties of a bridge for gusset_net_settle, in any unit of force. Lines run across it along links."""
 
     __slots__ = ()
     _NAME = 'gusset_bridge_properties'
@@ -2691,12 +2677,12 @@ class BridgeProperties(Record):
 
     @property
     def elasticity(self) -> float:
-        """Force that doubles the length of a line; at least 0."""
+        """Force that doubles a line's length; at least 0."""
         return self._struct.elasticity
 
     @property
     def stiffness(self) -> float:
-        """Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid."""
+        """Bending stiffness of each line, force x length^2; at least 0. Infinity: rigid."""
         return self._struct.stiffness
 
     @property
@@ -2706,9 +2692,7 @@ class BridgeProperties(Record):
 
 
 class BridgePropertiesArray(RecordArray[BridgeProperties]):
-    """Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across the bridge along
-    links.
-    """
+    """Properties of a bridge for gusset_net_settle, in any unit of force. Lines run across it along links."""
 
     __slots__ = ()
     RECORD = BridgeProperties
@@ -2720,12 +2704,12 @@ class BridgePropertiesArray(RecordArray[BridgeProperties]):
 
     @property
     def elasticity(self) -> NDArray[np.float64]:
-        """Force that doubles the length of a line; at least 0."""
+        """Force that doubles a line's length; at least 0."""
         return self.array['elasticity']
 
     @property
     def stiffness(self) -> NDArray[np.float64]:
-        """Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid."""
+        """Bending stiffness of each line, force x length^2; at least 0. Infinity: rigid."""
         return self.array['stiffness']
 
     @property
@@ -2735,7 +2719,7 @@ class BridgePropertiesArray(RecordArray[BridgeProperties]):
 
 
 class Bridge(Record):
-    """Bridge: the cells between two joined nets."""
+    """The cells between two joined nets."""
 
     __slots__ = ()
     _NAME = 'gusset_bridge'
@@ -2748,7 +2732,7 @@ class Bridge(Record):
 
     @property
     def direction(self) -> choices.Direction:
-        """Direction from the first net to the second."""
+        """Direction from first to second net."""
         return word(self._struct.direction, 'gusset_direction')
 
     @property
@@ -2758,12 +2742,12 @@ class Bridge(Record):
 
     @property
     def start(self) -> int:
-        """First node along the side: a row (RIGHT) or column (DOWN)."""
+        """First node along the side: row (RIGHT) or column (DOWN)."""
         return self._struct.start
 
     @property
     def end(self) -> int:
-        """One past the last node along the side."""
+        """One past the last node."""
         return self._struct.end
 
     @property
@@ -2778,9 +2762,7 @@ class Bridge(Record):
 
     @property
     def rows(self) -> int:
-        """Counts the rows (DOWN) or columns (RIGHT) between the two nets. The last of these is at - 1, and the first
-        net ends at at - rows - 1.
-        """
+        """Rows (DOWN) or columns (RIGHT) between the nets, to at - 1. The first net ends at at - rows - 1."""
         return self._struct.rows
 
 
@@ -2793,13 +2775,13 @@ class NetAnalysisView(Record):
 
     @property
     def links(self) -> NDArray[np.float64]:
-        """New / old length of each link; NaN if the old length is 0 or an end is missing."""
+        """New / old length of each link; NaN if the old is 0 or an end missing."""
         return self._array('links', self._struct.link_count)
 
     @property
     def cells(self) -> NDArray[np.float64]:
-        """New / old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or, with
-        fields, negative determinants.
+        """New / old area of each cell; NaN if the old is 0 or the cell absent. Negative for folds, with fields for
+        negative determinants.
         """
         return self._array('cells', self._struct.cell_count)
 
@@ -2810,12 +2792,12 @@ class NetAnalysisView(Record):
 
     @property
     def contracted(self) -> NDArray[np.uint32]:
-        """Newly contracted links, whose ends the net does not glue; to glue them, use links of gusset_glue_options."""
+        """Newly contracted links, whose ends are not glued; links of gusset_glue_options glues them."""
         return self._array('contracted', self._struct.contracted_count)
 
     @property
     def stars(self) -> NDArray[np.str_]:
-        """For each contracted link, the local gluing of its first node once all are contracted: 0 to 17."""
+        """For each, the local gluing of its first node once all are contracted: 0 to 17."""
         return words(self._array('stars', self._struct.contracted_count), 'gusset_gluing_type')
 
     @property
@@ -2830,12 +2812,12 @@ class NetAnalysisView(Record):
 
     @property
     def soft(self) -> bool:
-        """1: a soft deformation, nothing newly glued, torn or folded; 0: hard."""
+        """1: soft, nothing newly glued, torn or folded; 0: hard."""
         return bool(self._struct.soft)
 
 
 class NetComplexView(Record):
-    """Counts and defects of a complex, in sorted lists. A vertex is its smallest node, an edge a pair."""
+    """Counts, and sorted lists of defects. A vertex is its smallest node, an edge a pair."""
 
     __slots__ = ()
     _NAME = 'gusset_net_complex_view'
@@ -2873,7 +2855,7 @@ class NetComplexView(Record):
 
     @property
     def fold_count(self) -> int:
-        """Cells folded along a diagonal to two edges."""
+        """Cells folded along a diagonal."""
         return self._struct.fold_count
 
     @property
@@ -2893,7 +2875,7 @@ class NetComplexView(Record):
 
     @property
     def genus(self) -> int:
-        """Handles, or crosscaps if not orientable, of all components together; -1 if not manifold."""
+        """Handles, or crosscaps if not orientable, of all components; -1 if not manifold."""
         return self._struct.genus
 
     @property
@@ -2903,12 +2885,12 @@ class NetComplexView(Record):
 
     @property
     def boundary_offsets(self) -> NDArray[np.uint32]:
-        """Chain k of boundary edges is boundary_nodes[offsets[k]] to boundary_nodes[offsets[k + 1] - 1]."""
+        """Offsets into boundary_nodes, by chain."""
         return self._array('boundary_offsets')
 
     @property
     def boundary_nodes(self) -> NDArray[np.uint32]:
-        """Vertices of all chains, with faces on the left."""
+        """Vertices of chains of boundary edges, faces on the left."""
         return self._array('boundary_nodes')
 
     @property
@@ -2945,7 +2927,7 @@ class PlanariseReport(Record):
 
     @property
     def size(self) -> float:
-        """Initial diagonal of the bounding box."""
+        """Initial box diagonal."""
         return self._struct.size
 
     @property
@@ -2975,7 +2957,7 @@ class PlanariseReport(Record):
 
     @property
     def worst_cell(self) -> int:
-        """Cell with deviation_after; 2^64 - 1 without quads."""
+        """Cell with deviation_after; UINT64_MAX without quads."""
         return self._struct.worst_cell
 
     @property
@@ -3042,7 +3024,7 @@ class SettleReport(Record):
 
     @property
     def collapsed(self) -> int:
-        """Films with a cell below a millionth of the initial mean cell area."""
+        """Films with a cell below 1e-6 of the initial mean cell area."""
         return self._struct.collapsed
 
     @property
@@ -3106,7 +3088,7 @@ class NetFindingArray(RecordArray[NetFinding]):
 
 
 class NetValidationView(Record):
-    """Findings: violations, then warnings, sorted by kind and element."""
+    """Violations, then warnings, sorted by kind and element."""
 
     __slots__ = ()
     _NAME = 'gusset_net_validation_view'
@@ -3124,7 +3106,7 @@ class NetValidationView(Record):
 
 
 class WingedEdge(Record):
-    """An edge in Baumgart's notation; UINT32_MAX is NULL. Faces are clockwise seen from outside."""
+    """An edge in Baumgart's notation, UINT32_MAX for NULL. Faces are clockwise seen from outside."""
 
     __slots__ = ()
     _NAME = 'gusset_winged_edge'
@@ -3176,7 +3158,7 @@ class WingedEdge(Record):
 
 
 class WingedEdgeArray(RecordArray[WingedEdge]):
-    """An edge in Baumgart's notation; UINT32_MAX is NULL. Faces are clockwise seen from outside."""
+    """An edge in Baumgart's notation, UINT32_MAX for NULL. Faces are clockwise seen from outside."""
 
     __slots__ = ()
     RECORD = WingedEdge
@@ -3266,7 +3248,7 @@ class WingedView(Record):
 
     @property
     def loop_offsets(self) -> NDArray[np.uint32]:
-        """loops + 1 offsets into both arrays."""
+        """Offsets into loop_vertices and loop_edges, by loop."""
         return self._array('loop_offsets')
 
 
@@ -3330,7 +3312,7 @@ class SceneReport(Record):
 
     @property
     def instances(self) -> int:
-        """Instances: paths from top-level entries; at most UINT64_MAX."""
+        """Paths from top-level entries; at most UINT64_MAX."""
         return self._struct.instances
 
     @property
@@ -3350,12 +3332,12 @@ class SceneReport(Record):
 
     @property
     def levels(self) -> int:
-        """Entries of the longest path; 0 for an empty scene."""
+        """Entries of the longest path; 0 if empty."""
         return self._struct.levels
 
 
 class SceneInstance(Record):
-    """Instance: a path from top level to an entry."""
+    """Path from top level to an entry."""
 
     __slots__ = ()
     _NAME = 'gusset_scene_instance'
@@ -3382,7 +3364,7 @@ class SceneInstance(Record):
 
 
 class SceneInstanceArray(RecordArray[SceneInstance]):
-    """Instance: a path from top level to an entry."""
+    """Path from top level to an entry."""
 
     __slots__ = ()
     RECORD = SceneInstance
@@ -3441,9 +3423,7 @@ class StreamReport(Record):
 
     @property
     def step(self) -> NDArray[np.float64]:
-        """QUANTISED: distance of levels; coordinates are off by at most step / 2 and half a unit in the last place.
-        Else 0.
-        """
+        """QUANTISED: distance of levels; errors are at most step / 2 and half a unit in the last place. Else 0."""
         return self._array('step')
 
     @property
@@ -3480,15 +3460,15 @@ class SurfaceSheet(Record):
 
     @property
     def first_cell(self) -> int:
-        """Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i * columns + j: its
-        bit in masks of gusset_surface_cells_view.
+        """Number of cell (0, 0) among all sheets' cells; cell (i, j) is first_cell + i * columns + j, its bit in
+        region masks.
         """
         return self._struct.first_cell
 
     @property
     def first_node(self) -> int:
-        """Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of its values
-        for GUSSET_CONTOUR_VALUES.
+        """Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of values for
+        GUSSET_CONTOUR_VALUES.
         """
         return self._struct.first_node
 
@@ -3521,15 +3501,15 @@ class SurfaceSheetArray(RecordArray[SurfaceSheet]):
 
     @property
     def first_cell(self) -> NDArray[np.uint64]:
-        """Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i * columns + j: its
-        bit in masks of gusset_surface_cells_view.
+        """Number of cell (0, 0) among all sheets' cells; cell (i, j) is first_cell + i * columns + j, its bit in
+        region masks.
         """
         return self.array['first_cell']
 
     @property
     def first_node(self) -> NDArray[np.uint64]:
-        """Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of its values
-        for GUSSET_CONTOUR_VALUES.
+        """Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of values for
+        GUSSET_CONTOUR_VALUES.
         """
         return self.array['first_node']
 
@@ -3567,12 +3547,12 @@ class SurfacePlace(Record):
 
     @property
     def u(self) -> float:
-        """Parameter in the cell, 0 to 1; the sheet's parameter is row + u."""
+        """Parameter in the cell, 0 to 1; the sheet's is row + u."""
         return self._struct.u
 
     @property
     def v(self) -> float:
-        """Parameter in the cell, 0 to 1; the sheet's parameter is column + v."""
+        """Parameter in the cell, 0 to 1; the sheet's is column + v."""
         return self._struct.v
 
 
@@ -3599,12 +3579,12 @@ class SurfacePlaceArray(RecordArray[SurfacePlace]):
 
     @property
     def u(self) -> NDArray[np.float64]:
-        """Parameter in the cell, 0 to 1; the sheet's parameter is row + u."""
+        """Parameter in the cell, 0 to 1; the sheet's is row + u."""
         return self.array['u']
 
     @property
     def v(self) -> NDArray[np.float64]:
-        """Parameter in the cell, 0 to 1; the sheet's parameter is column + v."""
+        """Parameter in the cell, 0 to 1; the sheet's is column + v."""
         return self.array['v']
 
 
@@ -3626,14 +3606,12 @@ class SurfaceContact(Record):
 
     @property
     def gap(self) -> float:
-        """Height of the first surface above the second, along the first's normal."""
+        """Height of the first above the second, along the first's normal."""
         return self._struct.gap
 
     @property
     def radius(self) -> float:
-        """Near the contact, points within the tolerance of the other surface lie this near, except on crossing
-        branches.
-        """
+        """Near it, points within the tolerance of the other surface lie this near, except on crossing branches."""
         return self._struct.radius
 
     @property
@@ -3660,14 +3638,12 @@ class SurfaceContactArray(RecordArray[SurfaceContact]):
 
     @property
     def gap(self) -> NDArray[np.float64]:
-        """Height of the first surface above the second, along the first's normal."""
+        """Height of the first above the second, along the first's normal."""
         return self.array['gap']
 
     @property
     def radius(self) -> NDArray[np.float64]:
-        """Near the contact, points within the tolerance of the other surface lie this near, except on crossing
-        branches.
-        """
+        """Near it, points within the tolerance of the other surface lie this near, except on crossing branches."""
         return self.array['radius']
 
     @property
@@ -3685,12 +3661,12 @@ class SurfacePathsView(Record):
 
     @property
     def ends(self) -> NDArray[np.uint32]:
-        """Curve k has the points ends[k] to ends[k + 1] - 1."""
+        """Offsets into points, by curve."""
         return self._array('ends')
 
     @property
     def closed(self) -> NDArray[np.bool_]:
-        """By curve: 1 if closed. Append the first point for gusset_curve_through_create."""
+        """By curve: 1 if closed; append the first point for gusset_curve_through_create."""
         return self._array('closed', self._struct.path_count) != 0
 
     @property
@@ -3700,12 +3676,12 @@ class SurfacePathsView(Record):
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """The points, on the surface."""
+        """On the surface."""
         return self._array('points', self._struct.point_count, 3)
 
     @property
     def normals(self) -> NDArray[np.float64]:
-        """Unit normal at each point; 0 where undefined."""
+        """Unit normals; 0 where undefined."""
         return self._array('normals', self._struct.point_count, 3)
 
     @property
@@ -3715,17 +3691,17 @@ class SurfacePathsView(Record):
 
     @property
     def others(self) -> SurfacePlaceArray:
-        """Intersections: places on the second surface; else NULL."""
+        """Intersections: places on the second surface."""
         return SurfacePlaceArray(self._array('others', self._struct.point_count))
 
     @property
     def unresolved(self) -> SurfacePlaceArray:
-        """Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance."""
+        """Cells that may hold tangencies, coincidences, or pieces below the tolerance."""
         return SurfacePlaceArray(self._array('unresolved', self._struct.unresolved_count))
 
     @property
     def contacts(self) -> SurfaceContactArray:
-        """Intersections: points where the surfaces touch."""
+        """Intersections: points where surfaces touch."""
         return SurfaceContactArray(self._array('contacts', self._struct.contact_count))
 
 
@@ -3757,7 +3733,7 @@ class SurfaceNearestPoint(Record):
 
     @property
     def bound(self) -> float:
-        """Lower bound of the distance from the surface; for minima, from the piece round the point."""
+        """Lower bound of the distance from the surface (minima: from the piece round the point)."""
         return self._struct.bound
 
     @property
@@ -3794,7 +3770,7 @@ class SurfaceNearestPointArray(RecordArray[SurfaceNearestPoint]):
 
     @property
     def bound(self) -> NDArray[np.float64]:
-        """Lower bound of the distance from the surface; for minima, from the piece round the point."""
+        """Lower bound of the distance from the surface (minima: from the piece round the point)."""
         return self.array['bound']
 
     @property
@@ -3827,7 +3803,7 @@ class SurfacePointsView(Record):
 
 
 class SurfacePoint(Record):
-    """Point, derivatives by the cell's parameters, normal and curvatures at a place."""
+    """Point, derivatives by the cell's parameters, normal and curvatures."""
 
     __slots__ = ()
     _NAME = 'gusset_surface_point'
@@ -3869,12 +3845,12 @@ class SurfacePoint(Record):
 
     @property
     def spread(self) -> float:
-        """For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines."""
+        """GUSSET_NORMAL_LIMIT: largest angle to limits along other lines."""
         return self._struct.spread
 
     @property
     def principal(self) -> NDArray[np.float64]:
-        """Principal curvatures, the greater first; positive if bent towards the normal."""
+        """Principal curvatures, greater first; positive if bent towards the normal."""
         return self._array('principal')
 
     @property
@@ -3904,7 +3880,7 @@ class SurfacePoint(Record):
 
 
 class SurfacePointArray(RecordArray[SurfacePoint]):
-    """Point, derivatives by the cell's parameters, normal and curvatures at a place."""
+    """Point, derivatives by the cell's parameters, normal and curvatures."""
 
     __slots__ = ()
     RECORD = SurfacePoint
@@ -3946,12 +3922,12 @@ class SurfacePointArray(RecordArray[SurfacePoint]):
 
     @property
     def spread(self) -> NDArray[np.float64]:
-        """For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines."""
+        """GUSSET_NORMAL_LIMIT: largest angle to limits along other lines."""
         return self.array['spread']
 
     @property
     def principal(self) -> NDArray[np.float64]:
-        """Principal curvatures, the greater first; positive if bent towards the normal."""
+        """Principal curvatures, greater first; positive if bent towards the normal."""
         return self.array['principal']
 
     @property
@@ -3988,12 +3964,12 @@ class SurfaceHit(Record):
 
     @property
     def t(self) -> float:
-        """Parameter on the line; for a curve, segment + parameter in it."""
+        """Parameter on the line; on a curve, segment + its parameter."""
         return self._struct.t
 
     @property
     def span(self) -> NDArray[np.float64]:
-        """Parameters between which both agree within the tolerance; at a crossing, t twice."""
+        """Parameters between which both agree within the tolerance; crossings: t twice."""
         return self._array('span')
 
     @property
@@ -4025,12 +4001,12 @@ class SurfaceHitArray(RecordArray[SurfaceHit]):
 
     @property
     def t(self) -> NDArray[np.float64]:
-        """Parameter on the line; for a curve, segment + parameter in it."""
+        """Parameter on the line; on a curve, segment + its parameter."""
         return self.array['t']
 
     @property
     def span(self) -> NDArray[np.float64]:
-        """Parameters between which both agree within the tolerance; at a crossing, t twice."""
+        """Parameters between which both agree within the tolerance; crossings: t twice."""
         return self.array['span']
 
     @property
@@ -4063,12 +4039,12 @@ class SurfaceHitsView(Record):
 
     @property
     def query_count(self) -> int:
-        """Queries: the lines, then the curve if given."""
+        """Lines, and the curve if given."""
         return self._struct.query_count
 
     @property
     def ends(self) -> NDArray[np.uint64]:
-        """Query k has the hits ends[k] to ends[k + 1] - 1."""
+        """Offsets into hits, by query."""
         return self._array('ends', self._struct.query_count + 1)
 
     @property
@@ -4078,7 +4054,7 @@ class SurfaceHitsView(Record):
 
     @property
     def on_curve(self) -> PlaceArray:
-        """For each hit of the curve, places of hit, start and end of span. Else NULL."""
+        """Curve: for each hit, places of hit, start and end of span."""
         return PlaceArray(self._array('on_curve', self._struct.on_curve_count // 3, 3))
 
     @property
@@ -4115,12 +4091,12 @@ class NearestAngleReport(Record):
 
     @property
     def deviation(self) -> float:
-        """Difference from the given angle; infinite, and all else 0, if the surface lacks normals."""
+        """Difference from the given angle; infinite, all else 0, if the surface lacks normals."""
         return self._struct.deviation
 
     @property
     def bound(self) -> float:
-        """Lower bound of all deviations, within 1e-9 of `deviation` unless the proof fails."""
+        """Lower bound of all deviations, within 1e-9 of it unless the proof fails."""
         return self._struct.bound
 
 
@@ -4142,7 +4118,7 @@ class DistanceReport(Record):
 
     @property
     def normal(self) -> NDArray[np.float64]:
-        """Unit normal at `point`; at a pole its limit; 0 if undefined."""
+        """Unit normal; at a pole its limit; 0 if undefined."""
         return self._array('normal')
 
     @property
@@ -4162,17 +4138,17 @@ class DistanceReport(Record):
 
     @property
     def other_place(self) -> SurfacePlace:
-        """SURFACE: place of its point; else 0."""
+        """SURFACE: its place; else 0."""
         return SurfacePlace(self._struct.other_place, self._owner)
 
     @property
     def curve_place(self) -> Place:
-        """CURVE: place of its point; else 0."""
+        """CURVE: its place; else 0."""
         return Place(self._struct.curve_place, self._owner)
 
     @property
     def parameter(self) -> float:
-        """LINE: parameter of its point. PLANE: signed distance, negative opposite to its normal. Else 0."""
+        """LINE: its parameter. PLANE: signed distance, negative opposite to the normal. Else 0."""
         return self._struct.parameter
 
     @property
@@ -4200,7 +4176,7 @@ class SurfaceReport(Record):
 
     @property
     def index_bytes(self) -> int:
-        """Bytes of the index, without nodes and cones of normals."""
+        """Bytes of the index, without nodes and cones."""
         return self._struct.index_bytes
 
     @property
@@ -4210,7 +4186,7 @@ class SurfaceReport(Record):
 
     @property
     def low(self) -> NDArray[np.float64]:
-        """Low corner of a box round surface and control nets."""
+        """Low corner of a box round surface and controls."""
         return self._array('low')
 
     @property
@@ -4238,17 +4214,17 @@ class SheetReport(Record):
 
     @property
     def rows(self) -> int:
-        """Cells in u: u runs from 0 to rows."""
+        """Cells in u, which runs from 0 to rows."""
         return self._struct.rows
 
     @property
     def columns(self) -> int:
-        """Cells in v: v runs from 0 to columns."""
+        """Cells in v, likewise."""
         return self._struct.columns
 
     @property
     def degree(self) -> int:
-        """Degree of patches in both directions: 3 or 7."""
+        """Degree of patches: 3 or 7."""
         return self._struct.degree
 
     @property
@@ -4268,42 +4244,42 @@ class SheetReport(Record):
 
     @property
     def pole_u0(self) -> bool:
-        """1: the side u = 0 is a pole, one point."""
+        """1: u = 0 is a pole, one point."""
         return bool(self._struct.pole_u0)
 
     @property
     def pole_u1(self) -> bool:
-        """1: the side u = rows is a pole."""
+        """1: u = rows is a pole."""
         return bool(self._struct.pole_u1)
 
     @property
     def pole_v0(self) -> bool:
-        """1: the side v = 0 is a pole."""
+        """1: v = 0 is a pole."""
         return bool(self._struct.pole_v0)
 
     @property
     def pole_v1(self) -> bool:
-        """1: the side v = columns is a pole."""
+        """1: v = columns is a pole."""
         return bool(self._struct.pole_v1)
 
     @property
     def deviation(self) -> float:
-        """Bound of the distance from a rational spline at equal parameters, rounding included; else 0."""
+        """Bound of the distance from a rational spline at equal parameters, with rounding; else 0."""
         return self._struct.deviation
 
     @property
     def knots_u(self) -> NDArray[np.float64]:
-        """Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL."""
+        """Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between."""
         return self._array('knots_u', self._struct.rows + 1)
 
     @property
     def knots_v(self) -> NDArray[np.float64]:
-        """Spline: its columns + 1 parameters at v = 0, 1, ...; else NULL."""
+        """Spline: its columns + 1 parameters, likewise."""
         return self._array('knots_v', self._struct.columns + 1)
 
 
 class SheetMeasures(Record):
-    """Measures of a sheet (see gusset_cell_arrays); 0 if not requested."""
+    """Measures of a sheet (see gusset_cell_arrays); 0 unless requested."""
 
     __slots__ = ()
     _NAME = 'gusset_sheet_measures'
@@ -4325,12 +4301,12 @@ class SheetMeasures(Record):
 
     @property
     def crease(self) -> float:
-        """Largest angle between normals across cell sides; 0, or rounding, if smooth."""
+        """Largest angle between normals across cell sides; if smooth, 0 or rounding."""
         return self._struct.crease
 
 
 class SheetMeshReport(Record):
-    """Places and normals of the mesh of a sheet."""
+    """Places and normals of a sheet's mesh."""
 
     __slots__ = ()
     _NAME = 'gusset_sheet_mesh_report'
@@ -4338,7 +4314,7 @@ class SheetMeshReport(Record):
 
     @property
     def places(self) -> SurfacePlaceArray:
-        """Place of each vertex; its sheet is 0."""
+        """Place of each vertex, with sheet 0."""
         return SurfacePlaceArray(self._array('places', self._struct.vertex_count))
 
     @property
@@ -4348,7 +4324,7 @@ class SheetMeshReport(Record):
 
     @property
     def deviation(self) -> float:
-        """Bound of the distance between surface and triangles, for quads divided by either diagonal."""
+        """Bound of the distance between surface and triangles, for either diagonal of quads."""
         return self._struct.deviation
 
 
@@ -4397,7 +4373,7 @@ class SurfaceCellArray(RecordArray[SurfaceCell]):
 
 
 class SurfaceCellsView(Record):
-    """Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0."""
+    """Lent cells. Regions lack `others`; pairs lack the fields below it."""
 
     __slots__ = ()
     _NAME = 'gusset_surface_cells_view'
@@ -4420,8 +4396,8 @@ class SurfaceCellsView(Record):
 
     @property
     def mask(self) -> NDArray[np.uint64]:
-        """A bit for each cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k] + i * c +
-        j: mask[b / 64] >> (b % 64) & 1.
+        """A bit a cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k] + i * c + j:
+        mask[b / 64] >> (b % 64) & 1.
         """
         return self._array('mask', self._struct.word_count)
 

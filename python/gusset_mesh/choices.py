@@ -80,7 +80,7 @@ Meridians = Literal['continuation', 'index', 'arc_length', 'greedy', 'min_diagon
 #: Search effort.
 StripSearch = Literal['auto', 'exact']
 
-#: First meridian of a closed strip.
+#: First meridian of a closed strip; open ones start at their first points.
 StripStart = Literal['auto', 'closest', 'given']
 
 #: Positions of new vertices.
@@ -116,7 +116,7 @@ ToleranceMode = Literal['auto', 'given', 'exact']
 #: Side that closed components face.
 Outward = Literal['auto', 'keep', 'closed']
 
-#: Loops that are not holes.
+#: Loops that are not holes, if all loops are selected.
 FillKeep = Literal['auto', 'none', 'longest', 'borders']
 
 #: Loops that share a patch.
@@ -184,10 +184,10 @@ ChartFinish = Literal['exact', 'converged', 'iteration_limit', 'conformal', 'not
 #: Reason for a cut.
 CutKind = Literal['given', 'opening', 'dart']
 
-#: The side of a plane to which vertices in the plane belong.
+#: Side of vertices in a plane.
 InPlane = Literal['above', 'below']
 
-#: How cutting planes are given.
+#: Kind of cutting planes.
 CuttingKind = Literal['stack', 'planes', 'axis', 'curve']
 
 #: Kind of element.
@@ -209,7 +209,7 @@ Sides = Literal['rows_closed', 'columns_closed', 'pole_top', 'pole_bottom', 'pol
 #: Kind of a gluing.
 GluingKind = Literal['link', 'star', 'cell', 'diagonal', 'seam', 'type']
 
-#: Local gluing of Deryagin's figure 4.
+#: Local gluing of Deryagin's figure 4. n(...) counts contracted links of a node, c(...) of a cell.
 GluingType = Literal['none', 'horizontal', 'vertical', 'east_south', 'south_west', 'west_north', 'north_east',
     'east_west', 'north_south', 'but_north', 'but_east', 'but_south', 'but_west', 'all', 'top_bottom', 'right_left',
     'point', 'falling', 'rising']

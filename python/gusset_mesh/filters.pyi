@@ -376,3 +376,13 @@ def unite(
     input_0: MeshLike, *inputs: MeshLike, threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Replaces closed meshes by their union, without intersecting faces. Meshes may intersect, touch, coincide or lie within each other. Faces that no other meets stay as they are. Lists how many faces were dropped."""
+
+
+def section(
+    input_0: MeshLike, /, *, cut: Union[int, Literal['automatic', 'faces', 'smooth_surface']] = ..., placement: Union[int,
+    Literal['even', 'given', 'about_an_axis']] = ..., direction: Sequence[float] = ..., number: int = ..., offset: float = ...,
+    distance: float = ..., point: Sequence[float] = ..., tolerance: float = ..., in_plane: Union[int, Literal['above', 'below']] =
+    ..., scheme: Union[int, Literal['smooth', 'four_points']] = ..., chord_error: float = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Cuts a mesh by parallel planes or by planes about an axis, and returns the curves in order. A closed mesh gives closed curves only: each vertex is on a side of each plane exactly. Around a solid, outer curves run counter-clockwise seen against the normal, curves around holes clockwise. A grid of quads is cut as the smooth surface through its vertices, unless its faces are chosen."""

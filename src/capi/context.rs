@@ -15,9 +15,8 @@ use std::ptr;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-/// Threads, progress, cancellation, log, and the outcome of the last call. Only one thread uses it
-/// at a time; any thread may call gusset_context_cancel, gusset_context_reset and
-/// gusset_context_get_progress.
+/// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a
+/// time, except for cancel, reset and get_progress.
 pub struct gusset_context {
     watch: CallWatch,
     state: Mutex<ContextState>,
@@ -26,22 +25,21 @@ pub struct gusset_context {
 handle! { gusset_context }
 
 /// Receives the progress of long work, on the calling thread. A nonzero return cancels this call
-/// only. The callback must not throw, longjmp, or use the context, except gusset_context_cancel and
-/// gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1, never decreasing; 1 at the end of a successful call.
+/// only. The callback must not throw, longjmp, or use the context except by cancel and
+/// get_progress.
+/// - fraction: the part done, 0 to 1, nondecreasing; 1 after success.
 /// - stage: the current work; valid during the callback.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
 /// Receives remarks that are not errors, under the rules of gusset_progress_fn. Sentences may
-/// change; programs read results. Stitching, filling and joining remark that
-/// - the second piece or component of a stitch was turned over to agree with the first;
-/// - a closed component faced the wrong side, and was turned over;
-/// - fairing was requested without new vertices;
-/// - rows, cells or fairing were requested with a blend;
-/// - a strip replaces a blend;
-/// - near_loops_left of gusset_join_report is not 0;
-/// - zero_volume of gusset_join_report is not empty.
+/// change; programs read results. Stitching, filling and joining report
+/// - a second piece or component turned over to agree with the first;
+/// - a closed component turned over that faced the wrong side;
+/// - fairing without new vertices;
+/// - rows, cells or fairing with a blend;
+/// - a strip instead of a blend;
+/// - near_loops_left above 0 or zero_volume not empty in gusset_join_report.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
 struct ContextState {
@@ -63,7 +61,7 @@ pub struct gusset_error_report {
     pub element: gusset_element,
     /// First offending element.
     pub index: u64,
-    /// Its value, if any: a coordinate, a vertex index, an exceeded limit.
+    /// Its value, such as a coordinate, vertex index or limit.
     pub value: f64,
     /// Mesh, piece, input or loop of the element.
     pub input: u32,
@@ -265,7 +263,7 @@ pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
 
 /// Sets the number of threads.
 ///
-/// @param threads 0: all threads of the machine; 1: the calling thread only.
+/// @param threads 0: all of the machine; 1: the calling thread.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
@@ -275,7 +273,6 @@ pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context
 /// Sets the progress callback.
 ///
 /// @param progress NULL: none.
-/// @param user passed to the callback.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
@@ -291,7 +288,6 @@ pub unsafe extern "C" fn gusset_context_set_progress(
 /// Sets the log callback.
 ///
 /// @param log NULL: none.
-/// @param user passed to the callback.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
@@ -311,10 +307,10 @@ fn change_state(context: *const gusset_context, set: impl FnOnce(&mut ContextSta
     })
 }
 
-/// Cancels the running call and all later calls until gusset_context_reset.
+/// Cancels running and later calls until gusset_context_reset.
 ///
 /// @complexity O(1).
-/// @threads From any thread; NULL is allowed.
+/// @threads Any; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     if let Ok(context) = handle::get_object(context, "context") {
@@ -325,7 +321,7 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
 /// Withdraws a cancellation.
 ///
 /// @complexity O(1).
-/// @threads From any thread; NULL is allowed.
+/// @threads Any; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     if let Ok(context) = handle::get_object(context, "context") {
@@ -344,8 +340,8 @@ pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_cont
 
 /// Explains the last call's error in an English sentence.
 ///
-/// @return a UTF-8 string, never NULL, valid until the next call with the context; empty after a
-///     success, during a call, and for NULL.
+/// @return UTF-8, never NULL, valid until the next call with the context; empty after a success,
+///     during a call, and for NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {

@@ -2,10 +2,10 @@
 //! data, 2000 to 2999 failures of the environment. Numbers never change their meaning.
 //!
 //! The first sentence of each comment is the text of its status or choice too: see `status_text.rs`
-//! and `choice_text.rs`. Each error of the core becomes a code with an element in one place,
+//! and `choice_text`. Each error of the core becomes a code with an element in one place,
 //! `From<Error>`.
 
-use super::choice_text::TEXTS;
+use super::choice_text::choice_text;
 use crate::error::{Element, Error, LoopPairFault, Side};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char};
@@ -41,8 +41,8 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
     /// An output array overlaps another array.
     GUSSET_ERROR_OVERLAP = 11,
-    /// A handle is of the wrong kind or was destroyed. Undetected if its memory was used again, as
-    /// are other invalid pointers.
+    /// A handle is of the wrong kind or was destroyed. Reused memory and other invalid pointers
+    /// stay undetected.
     GUSSET_ERROR_WRONG_HANDLE = 12,
     /// The number of inputs, or of elements of an array, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
@@ -58,8 +58,8 @@ pub enum gusset_status {
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A vertex index is out of range.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A number is NaN or infinite. It is a coordinate of a used vertex, point, tangent, query or
-    /// node, or a channel's value.
+    /// A number is NaN or infinite. It belongs to a used vertex, point, tangent, query, node or
+    /// channel.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// A later mesh or piece has 64-bit positions and the first has 32-bit positions.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
@@ -410,16 +410,14 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
 ///
 /// @param choice name of the type, such as "gusset_hole_status".
 /// @param value its constant.
-/// @return a static UTF-8 string, never NULL: the first sentence of the constant's comment, or "unknown
-///     value".
+/// @return a static UTF-8 string, never NULL: the comment's first sentence, or "unknown value".
 /// @complexity O(number of choices).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_choice_text(choice: *const c_char, value: u32) -> *const c_char {
     let of_choice = || {
         // SAFETY: the caller gives a text that ends with a NUL, or NULL.
         let choice = (!choice.is_null()).then(|| unsafe { CStr::from_ptr(choice) })?.to_str().ok()?;
-        let (_, texts) = TEXTS.iter().find(|(name, _)| *name == choice)?;
-        texts.iter().find(|(constant, _)| *constant == value).map(|(_, text)| *text)
+        choice_text(choice, value)
     };
     of_choice().unwrap_or(c"unknown value").as_ptr()
 }

@@ -17,7 +17,7 @@ pub extern "C" fn gusset_version() -> *const c_char {
 
 /// Returns the number of the binary interface.
 ///
-/// It changes when older programs could break: until 1.0, with each minor version.
+/// It changes when older programs could break: before 1.0, with each minor version.
 ///
 /// @return the number.
 /// @complexity O(1).

@@ -30,15 +30,14 @@ pub struct gusset_offset_options {
 pub struct gusset_offset_report {
     /// sizeof(gusset_offset_report).
     pub struct_size: usize,
-    /// Largest distance from the true offset at 16 places a segment.
+    /// Largest distance from the true offset, at 16 places a segment.
     pub deviation: f64,
-    /// Corners of the original, bridged by straight segments.
+    /// Corners of the original, bridged straight.
     pub corners: usize,
     /// 1: the deviation is within the tolerance.
     /// @flag
     pub reached: u32,
-    /// 1: a radius of curvature is at most the distance: there are cusps, or the offset runs
-    /// backwards.
+    /// 1: a radius of curvature is at most the distance: the offset has cusps or runs backwards.
     /// @flag
     pub tight: u32,
 }
@@ -55,8 +54,8 @@ impl gusset_offset_options {
 
 /// Cuts an open part out of a curve.
 ///
-/// On a closed curve the part may pass the start; if from equals to, it is the whole. A curve of n
-/// segments ends at segment n - 1, t = 1.
+/// On a closed curve the part may pass the start; if from equals to, it is the whole. A curve ends
+/// at its last segment, t = 1.
 ///
 /// @errors NO_SUCH_ELEMENT (0: from, 1: to), OUT_OF_RANGE (to precedes from on an open curve),
 ///     TOO_LARGE
@@ -96,9 +95,9 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
 /// @param highest greatest degree, lowest to 64.
 /// @param tolerance largest deviation of lowered segments; at least 0, or INFINITY.
 /// @param deviations receives a bound of each segment's deviation; if it is not lowered, the
-///     deviation that lowering would cause. May be NULL.
+///     deviation lowering would cause. May be NULL.
 /// @errors OUT_OF_RANGE (degree, tolerance), TOO_LARGE
-/// @complexity O(degree) a control point of raised segments, O(degree^3) a lowered segment.
+/// @complexity O(degree) a raised control point, O(degree^3) a lowered segment.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_change_degree_create(
@@ -123,7 +122,7 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
 ///
 /// Self-intersections are not removed.
 ///
-/// @param distance to the left; right if negative; finite.
+/// @param distance to the left; right if negative.
 /// @param options required; its tolerance must be set.
 /// @param report may be NULL.
 /// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE

@@ -16,11 +16,11 @@ pub type gusset_curve_format = u32;
 /// SVG path data (M, L, Q, C, Z), for plane curves up to degree 3. Numbers are exact; y is not
 /// flipped.
 pub const GUSSET_CURVE_FORMAT_SVG: gusset_curve_format = 0;
-/// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the
-/// middle of two.
+/// TrueType contour, for closed plane curves up to degree 2: controls, and joints not midway
+/// between two.
 pub const GUSSET_CURVE_FORMAT_CONTOUR: gusset_curve_format = 1;
 /// Clamped B-spline, for curves of one degree n. Smooth joints become knots of multiplicity n - 1
-/// without control points.
+/// without controls.
 pub const GUSSET_CURVE_FORMAT_SPLINE: gusset_curve_format = 2;
 
 /// An exported curve.
@@ -46,7 +46,7 @@ pub struct gusset_curve_form_view {
     pub text: *const c_char,
     /// Length without the final 0.
     pub text_length: usize,
-    /// Contour points, or control points of a spline.
+    /// Points of a contour, controls of a spline.
     /// @shape point_count 3
     pub points: *const f64,
     /// Number of points.
@@ -68,8 +68,8 @@ versioned! { gusset_curve_form_view: 72 }
 
 /// Exports a curve.
 ///
-/// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint
-///     is omitted, at least 0, besides rounding.
+/// @param tolerance for contours: omits joints within it of the middle, besides rounding; at least
+///     0.
 /// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for
 ///     SVG), OUT_OF_RANGE (tolerance; degree, see gusset_curve_change_degree_create)
 /// @complexity O(points).

@@ -1,6 +1,6 @@
 //! Frames: Curves across and along a body, through a common grid of nodes.
 //!
-//! @source Nadopta, introduction.
+//! @source Nadopta.
 
 use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::outline::{GivenOutlines, gusset_outline, gusset_outlines};
@@ -20,16 +20,16 @@ use gusset_base::alloc;
 pub type gusset_correspondence_rule = u32;
 /// By index; all sections have the same number of points.
 pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence_rule = 0;
-/// Equal arc lengths of each section, or between corners. A corner of one section has a node on all
-/// sections. Closed sections start where the twist is least, and are reversed if opposite to the
+/// Equal arc lengths of each section, or between corners. A corner of one section has a node on
+/// all. Closed sections start where the twist is least, and are reversed if opposite to the
 /// previous one; open ones run from first to last point.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence_rule = 1;
-/// Half-planes at equal angles round the axis; the farthest of several crossings.
+/// Half-planes at equal angles round the axis; the farthest crossing of several.
 pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence_rule = 2;
 /// Landmarks of each section, and equal arc lengths between them.
 pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence_rule = 3;
 
-/// A grid of nodes on a body, with a curve across each row and along each column.
+/// A grid of nodes on a body, with curves across its rows and along its columns.
 pub struct gusset_frame {
     pub(crate) grid: NodeGrid,
     pub(crate) across: TaggedObject<gusset_outline>,
@@ -63,28 +63,28 @@ pub struct gusset_frame_options {
     pub struct_size: usize,
     /// Correspondence of points between sections.
     pub correspondence: gusset_correspondence_rule,
-    /// ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more
-    /// corners. LANDMARKS: parts between two landmarks.
+    /// ANGLE: nodes in each section. ARC_LENGTH: likewise, more if sections have more corners.
+    /// LANDMARKS: parts between two landmarks.
     pub columns: u32,
     /// 1: the first section follows the last.
     /// @flag
     pub ring: u32,
-    /// ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first
-    /// section's first point.
+    /// ARC_LENGTH. 1: closed sections start at their first points, or the corner after the first
+    /// section's.
     /// @flag
     pub given_starts: u32,
     /// 1: only constraints make corners. 0: sections also have corners where they turn by more than
-    /// `corner_angle` of `across`. If this is pi, all points of a polygon are corners, and points
-    /// that turn by 40 degrees and far more than usual. Polygons are closed sections of at most 6
-    /// points, and sections whose points turn by more than 54 or less than 6 degrees. Not with ANGLE
-    /// unless `corner_angle` is below pi.
+    /// `corner_angle` of `across`. If this is pi (not with ANGLE), corners are all points of
+    /// polygons, and points that turn by 40 degrees and far more than usual. Polygons are closed
+    /// sections of at most 6 points, and sections that turn by more than 54 or less than 6 degrees
+    /// at points.
     /// @flag
     pub smooth_corners: u32,
     /// 0.
     pub reserved: u32,
     /// ANGLE: a point of the axis.
     pub axis_point: [f64; 3],
-    /// ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
+    /// ANGLE: direction of the axis; angles are right-handed about it.
     pub axis_direction: [f64; 3],
     /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     pub reference: [f64; 3],
@@ -102,12 +102,12 @@ pub struct gusset_frame_options {
     /// Options of the curves along.
     pub along: *const gusset_outline_options,
     /// GIVEN: indices of missing points over all sections, in any order; their coordinates are not
-    /// read. Each is interpolated by a Catmull-Rom curve through up to two nodes before and after
-    /// it in the column, with centripetal parameters from adjacent columns.
+    /// read. A Catmull-Rom curve through up to two nodes before and after in the column fills each,
+    /// with centripetal parameters from adjacent columns.
     pub missing: gusset_indices,
 }
 
-/// Lent nodes, row by row, and curves of a frame.
+/// Lent nodes, row by row, and curves.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_frame_view {
@@ -120,21 +120,21 @@ pub struct gusset_frame_view {
     /// Nodes.
     /// @shape rows columns 3
     pub nodes: *const f64,
-    /// Unit tangent of the curve across at each node; 0 if undefined.
+    /// Unit tangents of the curves across; 0 if undefined.
     /// @shape rows columns 3
     pub across: *const f64,
     /// Unit tangents of the curves along.
     /// @shape rows columns 3
     pub along: *const f64,
-    /// A curve for each section, owned by the frame. Node i of row k is its point k columns + i.
+    /// The frame's curve of each section. Node i of row k is its point k columns + i.
     pub curves_across: *const gusset_outline,
-    /// A curve for each column, owned by the frame. Node i of row k is its point i rows + k.
+    /// The frame's curve of each column. Node i of row k is its point i rows + k.
     pub curves_along: *const gusset_outline,
     /// By section: 1 if it was reversed.
     /// @shape rows
     /// @flag
     pub turned: *const u8,
-    /// Nodes whose half-plane meets their section several times.
+    /// Nodes whose half-plane meets the section several times.
     pub ambiguous: gusset_indices,
     /// Nodes that are corners of the curve across, ascending.
     pub corners: gusset_indices,
@@ -186,15 +186,16 @@ impl gusset_frame_options {
 
 /// Makes the frame of consecutive sections.
 ///
-/// A section of one point, or of coincident points, is a pole: all its nodes are there.
+/// A section of one point, or coincident points, is a pole: all its nodes are there.
 ///
 /// @param sections at least 2, for a ring 3.
 /// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing
 ///     points without GIVEN), NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (section
-///     and column: half-plane misses the section; no curve; no node before or after a missing one)
+///     and column: half-plane misses the section, no curve, or no node before or after a missing
+///     one)
 /// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3);
 ///     with more, all are smooth.
-/// @source Nadopta, introduction.
+/// @source Nadopta.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_create(
@@ -231,21 +232,21 @@ pub unsafe extern "C" fn gusset_frame_create(
 
 /// Makes the offset of a frame.
 ///
-/// Directions come from circles through neighbouring nodes, exact for planes, spheres, and round
-/// cylinders with perpendicular sections. Curves have the original's options.
+/// Directions come from circles through neighbouring nodes, exact on planes, spheres, and round
+/// cylinders with perpendicular sections. Curves keep their options.
 ///
 /// Each node moves by its distance:
 /// - Closed sections: outwards, or inwards if negative.
-/// - Open sections: along D x d, the derivatives across and within sections; with
-///   GUSSET_OFFSET_IN_SECTION, away from the chord of the ends.
+/// - Open sections: along D x d, derivatives across and within sections; GUSSET_OFFSET_IN_SECTION:
+///   away from the ends' chord.
 /// - Nodes without a direction stay.
 ///
-/// @param distances finite lengths.
+/// @param distances lengths.
 /// @param distance_count 1: for all; rows: for each section; rows x columns: for each node, row by
 ///     row.
 /// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance), as gusset_frame_create (new nodes)
 /// @complexity O(nodes), plus curves.
-/// @source Nadopta, introduction.
+/// @source Nadopta.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_offset_create(
@@ -309,9 +310,9 @@ pub unsafe extern "C" fn gusset_frame_get_view(
     })
 }
 
-/// Cuts the curves along by a plane, and makes a new section through the crossings.
+/// Cuts the curves along by a plane, and makes a section through the crossings.
 ///
-/// The section has the options of the curves across; point i is the first crossing of column i.
+/// It has the options of the curves across; point i is the first crossing of column i.
 ///
 /// @param point of the plane.
 /// @param normal not 0.

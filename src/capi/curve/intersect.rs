@@ -41,18 +41,18 @@ pub struct gusset_places_view {
     /// Points at the places.
     /// @shape count 3
     pub points: *const f64,
-    /// Intersections: places on the second curve, or later ones on the same curve. Else NULL.
+    /// Intersections: places on the second curve, or later on the same. Else NULL.
     /// @shape count
     pub others: *const gusset_place,
-    /// Common parts, four places each: start and end on the first curve, then on the second. For
-    /// tangent angles: start and end, twice.
+    /// Common parts, four places each: start and end on the first curve, then on the second
+    /// (tangent angles: the first).
     /// @shape overlap_count 4
     pub overlaps: *const gusset_place,
     /// Number of overlaps.
     pub overlap_count: usize,
     /// Segments in the plane or line.
     pub inside: gusset_indices,
-    /// 1: segments that agree within rounding over a long part were not resolved.
+    /// 1: segments that agree within rounding over long parts were not resolved.
     /// @flag
     pub undecided: u32,
     /// 0.
@@ -111,10 +111,10 @@ impl gusset_places {
 
 /// Finds where a curve crosses or touches a plane.
 ///
-/// For a line along (x, y) in the plane z = 0, the normal is (-y, x, 0).
+/// For a line along (x, y) in z = 0, the normal is (-y, x, 0).
 ///
-/// @param point a point of the plane.
-/// @param normal not 0.
+/// @param point of the plane.
+/// @param normal of the plane.
 /// @errors OUT_OF_RANGE (normal), NOT_FINITE
 /// @complexity O(points + degree^2 crossings).
 #[unsafe(no_mangle)]
@@ -142,16 +142,16 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
 
 /// Finds where two curves meet or come within a distance, or a plane curve meets itself.
 ///
-/// If within is 0 and both curves are plane, the result has crossings and touches, else the local
-/// minima of the distance, each once. Joints are not self-intersections.
+/// The result has local minima of the distance, or, if within is 0 and both curves are plane,
+/// crossings and touches, each once. Joints are not self-intersections.
 ///
 /// @param other NULL: self-intersections.
-/// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves'
+/// @param within largest distance, 0 if other is NULL; in space raised to 1e-12 of the curves'
 ///     size.
-/// @param places overlaps are common, stay within the distance, or cannot be separated.
+/// @param places overlaps stay within the distance, or cannot be separated.
 /// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within
 ///     is not 0)
-/// @complexity Bounded for each pair of segments whose boxes are within the distance.
+/// @complexity Bounded for pairs of segments whose boxes are within the distance.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_create(
@@ -169,13 +169,13 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     })
 }
 
-/// Finds all points where a curve's tangent makes an angle with a direction.
+/// Finds where a curve's tangent makes an angle with a direction.
 ///
 /// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, of both
-/// segments, not between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are
-/// parallel to the direction, or opposite, to 1e-9.
+/// segments, not between. Angles within 1e-7 of 0, pi/2 and pi snap to them; parallel and opposite
+/// tangents are so to 1e-9.
 ///
-/// @param direction not 0.
+/// @param direction a vector.
 /// @param angle 0 to pi.
 /// @param places overlaps have a constant angle.
 /// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
@@ -200,7 +200,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     })
 }
 
-/// Samples points along a curve; a closed curve's start is not repeated.
+/// Samples points along a curve. A closed curve's start is not repeated.
 ///
 /// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE

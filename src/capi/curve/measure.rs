@@ -36,7 +36,7 @@ pub const GUSSET_CURVE_MEASURE_BOUNDS: gusset_curve_measure_flags = 2;
 pub const GUSSET_CURVE_MEASURE_CENTRE: gusset_curve_measure_flags = 4;
 /// `area_vector` and `area`.
 pub const GUSSET_CURVE_MEASURE_AREA: gusset_curve_measure_flags = 8;
-/// `centroid` and `second`; defined only for a curve with points in the plane z = 0.
+/// `centroid` and `second`; only for a curve with points in the plane z = 0.
 pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
 
 /// Measures of a curve. A chord closes open curves.
@@ -61,7 +61,7 @@ pub struct gusset_curve_measures {
     pub area_vector: [f64; 3],
     /// Length of area_vector: area of the largest shadow.
     pub area: f64,
-    /// Centroid of the region; the start if the area is 0.
+    /// Centroid of the region, or the start if the area is 0.
     pub centroid: [f64; 2],
     /// Integrals of x x, x y and y y about it, with the area's sign.
     pub second: [f64; 3],
@@ -96,12 +96,12 @@ fn with_result_buffer<'a, T>(
 ///
 /// NULL outputs are not computed. After an error, nothing is written.
 ///
-/// @param order highest derivative, 0 to 64; read only with `derivatives`.
+/// @param order highest derivative, 0 to 64, for `derivatives`.
 /// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then
-///     derivatives by t in order; 0 beyond the degree.
+///     derivatives by t, 0 beyond the degree.
 /// @param tangents receives count unit tangents; 0 on a segment without extent.
-/// @param curvatures receives count numbers, 1 / radius, on plane segments positive if turning from
-///     x to y. Infinite where the first derivative is 0.
+/// @param curvatures receives count numbers, 1 / radius; positive if a plane segment turns from x
+///     to y, infinite where the first derivative is 0.
 /// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
 /// @complexity O(degree^2) a place and output.
 #[unsafe(no_mangle)]
@@ -142,9 +142,9 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
     })
 }
 
-/// Finds the nearest point for each given point.
+/// Finds the nearest point for each query.
 ///
-/// @param points finite.
+/// @param points x, y, z each.
 /// @param out receives count answers.
 /// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
 /// @complexity About O(log segments + degree^2) a point, parallel.
@@ -221,11 +221,11 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 
 /// Measures a curve.
 ///
-/// `defined` lacks undefined measures. The length is accurate to 1e-13, the centre comes from 16
-/// chords a segment. All others, and lengths up to degree 2, are exact up to rounding.
+/// The length is accurate to 1e-13, the centre comes from 16 chords a segment. Else, and lengths up
+/// to degree 2, measures are exact up to rounding.
 ///
 /// @param flags 0: all.
-/// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).
+/// @complexity O(points) for length and bounds, else O(sum of degree^2).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_measure(

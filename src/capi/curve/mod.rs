@@ -35,7 +35,7 @@ pub struct gusset_place {
     pub segment: u32,
     /// 0.
     pub reserved: u32,
-    /// Parameter: 0 at the segment's first control point, 1 at its last.
+    /// Parameter, from 0 at the segment's start to 1 at its end.
     pub t: f64,
 }
 
@@ -50,7 +50,7 @@ pub struct gusset_curve_view {
     pub controls: *const f64,
     /// Number of control points.
     pub control_count: usize,
-    /// Segment k has the control points ends[k] to ends[k + 1].
+    /// Segment k has the controls ends[k] to ends[k + 1].
     pub ends: gusset_indices,
     /// 1 if closed.
     /// @flag
@@ -113,13 +113,13 @@ pub(crate) fn write_points(points: &[DVec3], out: &mut [f64]) {
 
 /// Makes a curve from its control points.
 ///
-/// Segments have degree 1 to 64; coordinates are finite.
+/// Degrees are 1 to 64.
 ///
-/// @param controls x, y or x, y, z of each control point.
+/// @param controls x, y or x, y, z of each.
 /// @param control_count at most 2^30; 0: no segments, and ends is {0}.
 /// @param dimension 2 or 3.
-/// @param ends 0, then the rising index of each segment's last control point; the last is
-///     control_count - 1.
+/// @param ends 0, then the rising index of each segment's last control point, up to control_count -
+///     1.
 /// @param end_count segments + 1.
 /// @param closed 1: the last control point repeats the first.
 /// @errors BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE

@@ -32,28 +32,27 @@ pub const GUSSET_CONSTRAINT_TANGENT_ANGLE: gusset_constraint_kind = 2;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_constraint {
-    /// Index of the point over all outlines.
+    /// Point, counted over all outlines.
     pub point: u32,
     /// Demand on a curve at a point.
     pub kind: gusset_constraint_kind,
-    /// A vector (z = 0 for plane outlines), or an angle, 0, 0.
+    /// A vector (z = 0 in plane outlines), or angle, 0, 0.
     pub tangent: [f64; 3],
 }
 
-/// Outlines in arrays of the caller.
+/// Outlines in the caller's arrays.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outlines {
     /// sizeof(gusset_outlines).
     pub struct_size: usize,
-    /// Doubles x, y or x, y, z at every stride; finite.
+    /// Doubles x, y or x, y, z.
     pub points: *const c_void,
-    /// Bytes from point to point; 0: no gaps.
+    /// Stride of points.
     pub point_stride: usize,
     /// Points of all outlines, at most 2^30.
     pub point_count: usize,
-    /// outline_count + 1 offsets into points, from 0, not decreasing. NULL with outline_count 0:
-    /// one outline.
+    /// Offsets into points, by outline. NULL with outline_count 0: one outline.
     pub offsets: *const u32,
     /// Number of outlines.
     pub outline_count: usize,
@@ -63,7 +62,7 @@ pub struct gusset_outlines {
     pub constraint_count: usize,
     /// 2 or 3.
     pub dimension: u32,
-    /// 1: each outline returns to its first point, which may be repeated at the end.
+    /// 1: outlines return to their first points, which may be repeated at the end.
     pub closed: u32,
 }
 
@@ -83,11 +82,11 @@ impl gusset_outline {
     }
 }
 
-/// Lent curves of all outlines.
+/// Lent curves.
 ///
-/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, and the ends starts[2 k + 1]
-/// to starts[2 k + 3] - 1. Its segment s has the control points ends[s] to ends[s + 1], inclusive,
-/// counted from the curve's first. A closed curve repeats its first control point at the end.
+/// Curve k has the controls starts[2k] to starts[2k + 2] - 1, and the ends starts[2k + 1] to
+/// starts[2k + 3] - 1. Its segment s has controls ends[s] to ends[s + 1], counted from the curve's
+/// first. A closed curve repeats its first control at the end.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_view {
@@ -104,12 +103,12 @@ pub struct gusset_outline_view {
     pub control_count: usize,
     /// Ends of segments.
     pub ends: gusset_indices,
-    /// 2 outline_count + 2 offsets.
+    /// Two offsets a curve, and two more.
     /// @shape outline_count+1 2
     pub starts: *const usize,
     /// Segment of each point.
     pub segments: gusset_indices,
-    /// Parameter of each point in its segment, 0 to 1.
+    /// Parameter of each point, 0 to 1.
     /// @shape point_count
     pub parameters: *const f64,
     /// gusset_point_status of each point.
@@ -132,8 +131,8 @@ pub struct gusset_outline_report {
     pub steps: u64,
     /// Longest side of the outline's box.
     pub size: f64,
-    /// Largest distance of a point from the curve at its parameter; a merged point counts as its
-    /// original.
+    /// Largest distance of a point from the curve at its parameter; merged points count as their
+    /// originals.
     pub max_residual: f64,
     /// Largest sine of the angle between tangents at a smooth joint.
     pub max_joint_sine: f64,
@@ -205,14 +204,14 @@ fn constraint_from_struct_bytes(bytes: &[u8]) -> Result<Constraint, Failure> {
 
 /// Fits a Bézier curve through the points of each outline.
 ///
-/// If a constraint cannot be met, the point's status says so; the curve still passes through the
-/// point if possible.
+/// Constraints that cannot be met show in statuses; the curve still passes through the point if
+/// possible.
 ///
-/// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
-///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: no such point, or out of order)
-/// @complexity O(points) for composite, blended and cubic curves. GUSSET_JOINT_PARAMETER_G2 takes
-///     about 1,500 bytes a point of the largest outline, besides the result.
-/// @source T. Nadopta (see the README).
+/// @errors OUT_OF_RANGE (option, dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE, NOT_FINITE
+///     (point), NO_SUCH_ELEMENT (constraint: no such point, or out of order)
+/// @complexity O(points) for composite, blended and cubic curves. GUSSET_JOINT_PARAMETER_G2: about
+///     1,500 bytes a point of the largest outline.
+/// @source T. Nadopta.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_create(
@@ -257,7 +256,6 @@ pub unsafe extern "C" fn gusset_outline_get_view(
 
 /// Reports on one outline.
 ///
-/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
 #[unsafe(no_mangle)]
 #[must_use]
@@ -286,7 +284,6 @@ pub unsafe extern "C" fn gusset_outline_get_report(
 
 /// Copies the curve of one outline.
 ///
-/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 #[unsafe(no_mangle)]
@@ -306,18 +303,16 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
 
 /// Finds the section of each point, with its control point on the method's guide.
 ///
-/// A tangent constraint sets the section's direction at its point; at the end of an open outline,
-/// of the neighbour's section there. If it fails, the method applies; if the normal fails, the
-/// bisector. The status says so.
+/// A tangent constraint sets the section's direction at its point; at an open end, the neighbour's
+/// section there. If it fails, the method applies; if the normal fails, the bisector. The status
+/// says so. Outputs may be NULL.
 ///
-/// @param options only method, alpha and solver, and with GUSSET_SOLVER_STEP tolerance and
-///     max_steps; all must be valid.
-/// @param controls receives the control points, at ends of open outlines their own points; may be
-///     NULL.
-/// @param parameters receives each point's parameter on its section, 0 and 1 at ends of open
-///     outlines; may be NULL.
-/// @param statuses receives the gusset_point_status of each point, or NULL.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections, or NULL.
+/// @param options all valid; only method, alpha and solver are read, with GUSSET_SOLVER_STEP also
+///     tolerance and max_steps.
+/// @param controls receives the control points; at open ends, the points.
+/// @param parameters receives each point's parameter on its section; at open ends, 0 and 1.
+/// @param statuses receives the gusset_point_status of each point.
+/// @param steps receives the number of steps of GUSSET_SOLVER_STEP.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the

@@ -10,8 +10,7 @@ pub type gusset_curve_kind = u32;
 /// Quadratic segments, G1, one control point for each point.
 pub const GUSSET_CURVE_KIND_COMPOSITE: gusset_curve_kind = 0;
 /// One Bézier curve, for up to about 20 points. Its degree is n through n + 1 points, plus 1 an end
-/// tangent. Through n points of a closed outline it is n + 2, with a smooth seam. Above degree 64,
-/// it is composite.
+/// tangent; closed, n + 2 through n points, with a smooth seam. Above degree 64, it is composite.
 pub const GUSSET_CURVE_KIND_SINGLE: gusset_curve_kind = 1;
 /// Cubic segments that blend adjacent sections linearly: C1 in the knots of the method's exponent,
 /// G1 with GUSSET_METHOD_NORMAL. GUSSET_METHOD_BISECTOR gives the centripetal Catmull-Rom spline.
@@ -27,16 +26,16 @@ pub const GUSSET_CURVE_KIND_CHAIN: gusset_curve_kind = 5;
 
 /// Guide of a section's control point.
 ///
-/// A section is the quadratic through a point and its two neighbours, its guide a line from the
+/// A section is the quadratic through a point and its neighbours; its guide is a line from the
 /// point to their chord. With GUSSET_LOCK_DATA_GUIDE, and for separate sections, the control point
-/// lies on the guide. Other locks use only the parameter that it defines.
+/// lies on the guide. Other locks use only its parameter.
 pub type gusset_section_method = u32;
 /// The bisector of the angle at the point; always defined.
 pub const GUSSET_METHOD_BISECTOR: gusset_section_method = 0;
 /// The median; always defined.
 pub const GUSSET_METHOD_MEDIAN: gusset_section_method = 1;
-/// The normal of the chord. If its foot is outside the chord, the bisector applies, or the chord's
-/// nearer end with GUSSET_LOCK_SELF_CONSISTENT.
+/// The normal of the chord. If its foot is outside the chord, the bisector applies
+/// (GUSSET_LOCK_SELF_CONSISTENT: the chord's nearer end).
 pub const GUSSET_METHOD_NORMAL: gusset_section_method = 2;
 /// The symmedian; always defined.
 pub const GUSSET_METHOD_SYMMEDIAN: gusset_section_method = 3;
@@ -52,8 +51,8 @@ pub const GUSSET_LOCK_PARAMETER: gusset_parameter_lock = 0;
 /// The method's parameter on the section's own triangle. With the normal, solutions depend on the
 /// solver.
 pub const GUSSET_LOCK_SELF_CONSISTENT: gusset_parameter_lock = 1;
-/// Control points on the guides of the given points' triangles, where possible. Unless the outline
-/// is planar, points get GUSSET_POINT_OUT_OF_PLANE and GUSSET_LOCK_PARAMETER.
+/// Controls on the guides of the given points' triangles, where possible. In outlines that are not
+/// planar, points get GUSSET_POINT_OUT_OF_PLANE and GUSSET_LOCK_PARAMETER.
 pub const GUSSET_LOCK_DATA_GUIDE: gusset_parameter_lock = 2;
 
 /// Positions of joints of composite curves.
@@ -63,8 +62,8 @@ pub const GUSSET_JOINT_PARAMETER_HALF: gusset_joint_parameter = 0;
 /// From chords to the power of the method's exponent: the quadratic B-spline in these knots, C1.
 pub const GUSSET_JOINT_PARAMETER_KNOT: gusset_joint_parameter = 1;
 /// Continuous curvature, by cubic segments in the triangles of the quadratics; 0 at inflections of
-/// the control polygon. Unless the outline is planar, curvatures agree in magnitude only, and
-/// points get GUSSET_POINT_OUT_OF_PLANE.
+/// the control polygon. In outlines that are not planar, only magnitudes agree, and points get
+/// GUSSET_POINT_OUT_OF_PLANE.
 pub const GUSSET_JOINT_PARAMETER_G2: gusset_joint_parameter = 2;
 
 /// Method of solution.
@@ -82,7 +81,7 @@ pub const GUSSET_ENDS_FREE: gusset_outline_ends = 0;
 pub const GUSSET_ENDS_PERPENDICULAR: gusset_outline_ends = 1;
 /// Parallel to the x-axis, in the sense of first and last legs.
 pub const GUSSET_ENDS_LEVEL: gusset_outline_ends = 2;
-/// Parallel to the y-axis, in the sense of first and last legs.
+/// Parallel to the y-axis, likewise.
 pub const GUSSET_ENDS_UPRIGHT: gusset_outline_ends = 3;
 /// Level or upright, whichever is nearer to GUSSET_ENDS_PERPENDICULAR.
 pub const GUSSET_ENDS_LEVEL_OR_UPRIGHT: gusset_outline_ends = 4;
@@ -100,9 +99,9 @@ pub const GUSSET_POINT_MERGED: gusset_point_status = 2;
 pub const GUSSET_POINT_REPEATED: gusset_point_status = 3;
 /// Its triangle is flat and lacks a guide or a perpendicular.
 pub const GUSSET_POINT_COLLINEAR: gusset_point_status = 4;
-/// The foot of the normal is outside the chord; the bisector was used.
+/// The normal's foot is outside the chord; the bisector was used.
 pub const GUSSET_POINT_NORMAL_OUTSIDE: gusset_point_status = 5;
-/// The foot of the normal is an end of the chord; the bisector was used.
+/// The normal's foot is an end of the chord; the bisector was used.
 pub const GUSSET_POINT_RIGHT_ANGLE: gusset_point_status = 6;
 /// The curve does not cross the guide.
 pub const GUSSET_POINT_NO_CROSSING: gusset_point_status = 7;
@@ -130,11 +129,11 @@ pub const GUSSET_POINT_JOINT_FELL_BACK: gusset_point_status = 16;
 pub const GUSSET_POINT_COMPOSITE_INSTEAD: gusset_point_status = 17;
 /// A blended curve has a cusp here.
 pub const GUSSET_POINT_CUSP: gusset_point_status = 18;
-/// The curve crosses itself here although the points do not. The curve between two points crosses itself
-/// (both points have this status), the curve to the next point (the point between), or the curve after that
-/// (both points between). The last case does not count if the lines between the points turn by a half turn
-/// or more. Loops shorter than a twentieth of the curve between two points may be missed. In space, the ends
-/// of a loop are at most a twentieth of its size apart. The bisector method avoids most loops.
+/// The curve crosses itself here although the points do not. A part between two points crosses
+/// itself (status at both), the next part (at the point between), or the one after (at both points
+/// between). The last does not count if the polygon turns by a half turn or more. Loops below a
+/// twentieth of a part may be missed. In space, a loop's ends are at most a twentieth of its size
+/// apart. The bisector avoids most loops.
 pub const GUSSET_POINT_LOOPED: gusset_point_status = 19;
 /// The distance to the next or previous point is below a hundredth of both distances beside it, or below a
 /// ten-thousandth of one. The curve may turn there in any way. `repeat_tolerance` merges such points.
@@ -174,7 +173,7 @@ pub struct gusset_outline_options {
     pub joint: gusset_joint_parameter,
     /// Method of solution.
     pub solver: gusset_outline_solver,
-    /// For open outlines and parts between corners; constraints take precedence.
+    /// For open outlines and parts between corners, without constraints.
     pub ends: gusset_outline_ends,
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
@@ -185,7 +184,7 @@ pub struct gusset_outline_options {
     pub repeat_tolerance: f64,
     /// Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     pub corner_angle: f64,
-    /// Iterations end when no move exceeds it; below 1; 0: 1e-12.
+    /// Iterations end when moves are within it; below 1; 0: 1e-12.
     pub tolerance: f64,
     /// Most sweeps or iterations between corners; 0: 200.
     pub max_sweeps: u32,

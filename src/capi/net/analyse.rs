@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::net::analyse::{DeformationAnalysis, analyse, analyse_field};
 use gusset_base::alloc;
 
-/// Effects of a deformation on a net.
+/// Effects of a deformation.
 pub struct gusset_net_analysis {
     analysis: DeformationAnalysis,
     contracted: Vec<u32>,
@@ -34,13 +34,13 @@ impl gusset_net_analysis {
 pub struct gusset_net_analysis_view {
     /// sizeof(gusset_net_analysis_view).
     pub struct_size: usize,
-    /// New / old length of each link; NaN if the old length is 0 or an end is missing.
+    /// New / old length of each link; NaN if the old is 0 or an end missing.
     /// @shape link_count
     pub links: *const f64,
     /// 2 * rows * columns.
     pub link_count: usize,
-    /// New / old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for
-    /// folds or, with fields, negative determinants.
+    /// New / old area of each cell; NaN if the old is 0 or the cell absent. Negative for folds,
+    /// with fields for negative determinants.
     /// @shape cell_count
     pub cells: *const f64,
     /// The fields' Jacobian determinant at each cell's centre; NULL if nets are compared.
@@ -48,12 +48,10 @@ pub struct gusset_net_analysis_view {
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
-    /// Newly contracted links, whose ends the net does not glue; to glue them, use links of
-    /// gusset_glue_options.
+    /// Newly contracted links, whose ends are not glued; links of gusset_glue_options glues them.
     /// @shape contracted_count
     pub contracted: *const u32,
-    /// For each contracted link, the local gluing of its first node once all are contracted: 0 to
-    /// 17.
+    /// For each, the local gluing of its first node once all are contracted: 0 to 17.
     /// @shape contracted_count
     /// @choice gusset_gluing_type
     pub stars: *const u32,
@@ -69,7 +67,7 @@ pub struct gusset_net_analysis_view {
     pub folded: *const u32,
     /// Number of folded cells.
     pub folded_count: usize,
-    /// 1: a soft deformation, nothing newly glued, torn or folded; 0: hard.
+    /// 1: soft, nothing newly glued, torn or folded; 0: hard.
     /// @flag
     pub soft: u32,
     /// 0.
@@ -78,7 +76,7 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
-/// Deformation to analyse; default: none.
+/// Deformation; default: none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_analysis_options {
@@ -93,20 +91,20 @@ pub struct gusset_net_analysis_options {
     pub field_count: usize,
     /// As for gusset_net_deform.
     pub time: f64,
-    /// Lengths up to this count as 0; at least 0, finite.
+    /// Lengths up to it count as 0.
     pub tolerance: f64,
 }
 
 versioned! { gusset_net_analysis_options: 48 }
 
-/// Finds what a deformation glues, tears, folds and stretches, without deforming the net.
+/// Finds what a deformation glues, tears, folds and stretches. The net stays.
 ///
 /// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing), as
 ///     gusset_net_deform
-/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), a copy of the net and 8 bytes
+/// @complexity O(nodes); 24 bytes a node. Fields: O(nodes x fields); a copy of the net and 8 bytes
 ///     a cell.
-/// @source Deryagin, soft and hard deformations, by links: a zero of the Jacobian does not imply
-///     gluing or follow from it.
+/// @source Deryagin, soft and hard deformations, by links: zeros of the Jacobian neither imply
+///     gluing nor follow from it.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_create(

@@ -11,9 +11,9 @@ use crate::net::{CopyOptions, Direction, GridSymmetry, Replication, Shape};
 
 /// Direction within a net.
 pub type gusset_direction = u32;
-/// Along the rows, from each column to the next.
+/// Along rows, from column to column.
 pub const GUSSET_DIRECTION_RIGHT: gusset_direction = 0;
-/// Along the columns, from each row to the next.
+/// Along columns, from row to row.
 pub const GUSSET_DIRECTION_DOWN: gusset_direction = 1;
 
 /// Replicated rows or columns.
@@ -26,9 +26,9 @@ pub const GUSSET_REPLICATE_FIRST: gusset_replication = 1;
 pub const GUSSET_REPLICATE_LAST: gusset_replication = 2;
 /// The one at the given index.
 pub const GUSSET_REPLICATE_AT: gusset_replication = 3;
-/// The first and last equally if both are poles; the pole if one is; else as UNIFORM.
+/// The poles among first and last, equally; else as UNIFORM.
 pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
-/// Different sizes are an error; for gusset_concatenate_options only.
+/// Different sizes are an error; in gusset_concatenate_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;
 
 /// Symmetry of the rectangle of nodes. Positions and normals of nodes stay.
@@ -37,7 +37,7 @@ pub type gusset_net_turn = u32;
 pub const GUSSET_NET_TURN_NONE: gusset_net_turn = 0;
 /// Quarter turn: the last column becomes the first row.
 pub const GUSSET_NET_TURN_QUARTER: gusset_net_turn = 1;
-/// Half turn: rows and columns are reversed.
+/// Half turn: reverses rows and columns.
 pub const GUSSET_NET_TURN_HALF: gusset_net_turn = 2;
 /// Three quarters of a turn: the first column becomes the last row.
 pub const GUSSET_NET_TURN_THREE_QUARTERS: gusset_net_turn = 3;
@@ -50,8 +50,7 @@ pub const GUSSET_NET_TURN_TRANSPOSE: gusset_net_turn = 6;
 /// Exchanges rows and columns, and reverses both.
 pub const GUSSET_NET_TURN_ANTITRANSPOSE: gusset_net_turn = 7;
 
-/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Default:
-/// none.
+/// Options of gusset_net_copy_create. Steps: part, compact, enlarge, turn, convert. Default: none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_copy_options {
@@ -65,13 +64,12 @@ pub struct gusset_net_copy_options {
     pub column_first: usize,
     /// Columns of the part, at least 2; 0: the rest.
     pub column_count: usize,
-    /// Rows after replication, at least the present number; 0: none. Links between copies are
-    /// contracted.
+    /// Rows after replication, at least the present; 0: none. Links between copies are contracted.
     pub rows: usize,
     /// Columns after replication, likewise.
     pub columns: usize,
-    /// 1: removes rows and columns that repeat the previous one: equal coordinates and links,
-    /// contracted links between both. Two rows, two columns and the ends of bridges stay.
+    /// 1: removes rows and columns that repeat the previous: equal coordinates and links,
+    /// contracted links between. Two of each and ends of bridges stay.
     /// @flag
     pub compact: u32,
     /// For rows.
@@ -86,8 +84,7 @@ pub struct gusset_net_copy_options {
     pub column_index: u32,
     /// Symmetry.
     pub turn: gusset_net_turn,
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become
-    /// missing.
+    /// 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
     pub scalar: gusset_scalar,
     /// 0.
     pub reserved: u32,
@@ -145,16 +142,16 @@ impl gusset_net_copy_options {
     }
 }
 
-/// Copies a net, or a part, with gluing and bridges: compacted, enlarged, turned or converted.
+/// Copies a net or a part with gluing and bridges: compacted, enlarged, turned, converted.
 ///
-/// - An unchanged copy shares memory until a net changes.
-/// - A part keeps links, runs of seams and bridges inside it; links back to the first row or column
-///   if it has all rows or columns.
+/// - Unchanged copies share memory until a net changes.
+/// - A part keeps links, runs of seams and bridges inside it; with all rows or columns, also links
+///   back to the first.
 /// - Without conversion, coordinates keep their bits.
 ///
-/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a part or index beyond the net, or fewer rows or columns
-///     than present), CROSSING_CELL (once gluing outside the part is lost), TOO_LARGE
-/// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a part or index beyond the net, fewer rows or columns than
+///     present), CROSSING_CELL (without the gluing outside the part), TOO_LARGE
+/// @complexity O(nodes) a step; O(1) unchanged, except in the caller's memory.
 /// @source Deryagin, "Reformatting".
 #[unsafe(no_mangle)]
 #[must_use]

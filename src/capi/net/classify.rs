@@ -18,8 +18,7 @@ fn gluing_type_code(found: Option<GluingType>) -> gusset_gluing_type {
 
 /// Writes for each node the first node of its point.
 ///
-/// @param classes receives rows * columns numbers.
-/// @param written receives the count.
+/// @param classes receives rows * columns nodes.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
@@ -70,7 +69,7 @@ pub unsafe extern "C" fn gusset_net_groups_create(
 pub struct gusset_net_groups_view {
     /// sizeof(gusset_net_groups_view).
     pub struct_size: usize,
-    /// Group k is members[offsets[k]] to members[offsets[k + 1] - 1].
+    /// Offsets into members, by group.
     pub offsets: gusset_indices,
     /// Nodes of all groups, in order within each.
     pub members: gusset_indices,
@@ -108,9 +107,8 @@ pub const GUSSET_GLUING_PLACE_CELL: gusset_gluing_place = 1;
 /// Finds the local gluing at a node or cell.
 ///
 /// @param element node or cell.
-/// @param cyclic 1: links back to the first row or column count; else 0.
-/// @param found receives the type, for a node at most GUSSET_TYPE_ALL; GUSSET_TYPE_NONE for a node
-///     without glued links and for a quad.
+/// @param cyclic 1: links back to the first row or column count.
+/// @param found receives the type; GUSSET_TYPE_NONE for a node without glued links, or a quad.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1) if only sides are glued, else O(nodes).
 /// @source Deryagin, Fig. 4.
@@ -164,7 +162,7 @@ fn count_buffer<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], 
     input::cleared_result_buffer(out, if out.is_null() { 0 } else { GluingType::TYPE_COUNT }, name)
 }
 
-/// Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
+/// Local gluing: n(a,b) at a node or c(a,b) at a cell.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing_occurrence {
@@ -174,16 +172,16 @@ pub struct gusset_gluing_occurrence {
     pub element: u32,
     /// Local gluing of Deryagin's figure 4.
     pub kind: gusset_gluing_type,
-    /// At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal.
+    /// Node: nodes glued to it. Cell: glued links, at most 3; 1 for a diagonal.
     pub a: u32,
-    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other
-    /// links between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
+    /// Node with two glued links: 1 if adjacent, 2 if opposite. Cell with two: other links between
+    /// them, 0 or 1. Diagonal: 2. Else UINT32_MAX.
     pub b: u32,
     /// United nodes.
     pub node_order: u32,
     /// United links; 1 if none.
     pub link_order: u32,
-    /// Nodes of the point; exceeds node_order where gluings meet.
+    /// Nodes of the point, above node_order where gluings meet.
     pub class_size: u32,
 }
 
@@ -204,11 +202,10 @@ impl From<&GluingOccurrence> for gusset_gluing_occurrence {
     }
 }
 
-/// Writes all local gluings: of nodes in order, then of cells.
+/// Writes all local gluings: of nodes, then of cells.
 ///
 /// @param cyclic as for gusset_net_classify.
 /// @param found receives the gluings.
-/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(nodes); 4 bytes a node, and the result.
 /// @source Deryagin, Fig. 4.

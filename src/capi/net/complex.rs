@@ -32,7 +32,7 @@ pub struct gusset_net_complex(Complex);
 
 handle! { gusset_net_complex }
 
-/// Counts and defects of a complex, in sorted lists. A vertex is its smallest node, an edge a pair.
+/// Counts, and sorted lists of defects. A vertex is its smallest node, an edge a pair.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_complex_view {
@@ -50,7 +50,7 @@ pub struct gusset_net_complex_view {
     pub digon_count: u64,
     /// Cells reduced to a point.
     pub point_count: u64,
-    /// Cells folded along a diagonal to two edges.
+    /// Cells folded along a diagonal.
     pub fold_count: u64,
     /// Number of boundary edges.
     pub boundary_edge_count: u64,
@@ -58,16 +58,15 @@ pub struct gusset_net_complex_view {
     pub component_count: u64,
     /// Vertices - edges + faces.
     pub euler: i64,
-    /// Handles, or crosscaps if not orientable, of all components together; -1 if not manifold.
+    /// Handles, or crosscaps if not orientable, of all components; -1 if not manifold.
     pub genus: i64,
     /// Properties of the surface of a net.
     pub properties: gusset_net_flags,
     /// 0.
     pub reserved: u32,
-    /// Chain k of boundary edges is boundary_nodes[offsets[k]] to boundary_nodes[offsets[k + 1] -
-    /// 1].
+    /// Offsets into boundary_nodes, by chain.
     pub boundary_offsets: gusset_indices,
-    /// Vertices of all chains, with faces on the left.
+    /// Vertices of chains of boundary edges, faces on the left.
     pub boundary_nodes: gusset_indices,
     /// For each chain: 1 if it ends at branches, 0 for a loop.
     /// @flag
@@ -87,10 +86,10 @@ pub struct gusset_net_complex_view {
 
 versioned! { gusset_net_complex_view: 216 }
 
-/// Determines the surface of a net.
+/// Determines a net's surface.
 ///
 /// @errors TOO_LARGE (more than 2^31 boundary edges)
-/// @complexity O(nodes), plus a sort of the elements at glued nodes; linear memory.
+/// @complexity O(nodes), plus a sort of elements at glued nodes; linear memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_create(

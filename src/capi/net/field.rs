@@ -12,11 +12,11 @@ use crate::net::field::*;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Kind of a deformation field. It gives the meaning of values.
+/// Kind of a deformation field. It tells the values.
 ///
-/// - t is the strength: 0 changes nothing, 1 applies the whole map.
-/// - w is the coordinate on axis; u and v are the next two in the cycle x, y, z.
-/// - "Linear in t": each point moves by t times its displacement.
+/// - t is the strength: from 0, no change, to 1, the whole map.
+/// - w is the coordinate on axis; u and v follow in the cycle x, y, z.
+/// - Linear in t: points move by t times their displacement.
 pub type gusset_field_kind = u32;
 /// Affine map, linear in t: three rows of four numbers. The net's reversed flag stays.
 pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
@@ -24,27 +24,26 @@ pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
 pub const GUSSET_FIELD_TWIST: gusset_field_kind = 2;
 /// Scaling of u and v by 1 + t values[0] (w - values[1]).
 pub const GUSSET_FIELD_TAPER: gusset_field_kind = 3;
-/// Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u.
-/// Straight beyond; values[2] may be infinite.
+/// Bends axis from w = values[1] to values[2] (maybe infinite) into an arc of curvature t values[0]
+/// towards u. Straight beyond.
 pub const GUSSET_FIELD_BEND: gusset_field_kind = 4;
 /// Adds t values[0] times the coordinate on other_axis to w.
 pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
-/// Central projection onto a sphere of centre values[0..2], radius values[3] > 0; linear in t.
+/// Central projection onto the sphere of centre values[0..2], radius values[3] > 0; linear in t.
 /// Undefined at the centre.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
-/// Rolls space around a cylinder of radius r = values[0] > 0. Then u and v become (r + v) sin(u /
-/// r) and (r + v) cos(u / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 stay.
+/// Rolls space around a cylinder of radius r = values[0] > 0: u and v become (r + v) sin(u/r) and
+/// (r + v) cos(u/r). For t < 1, the curvature is t/r. Lengths in the sheet v = 0 stay.
 pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
 /// Rolls space into a torus about axis: radius R = values[0] > 0, tube radius r = values[1] > 0.
-/// Coordinates u, v, w become the arc around axis, the arc around the tube, and the height above
-/// the torus.
+/// Then u, v, w are the arcs around axis and tube, and the height above the torus.
 ///
-/// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r; lengths stay.
-/// - t above 1/2: the tube bends to curvature (2 t - 1) / R; its circles keep their lengths.
+/// - t <= 1/2: a sheet rolls into a straight tube of curvature 2t/r; lengths stay.
+/// - t > 1/2: the tube bends to curvature (2t - 1) / R; its circles keep their lengths.
 pub const GUSSET_FIELD_TORUS_WRAP: gusset_field_kind = 8;
 /// Free-form deformation of the box from values[0..2] to values[3..5] by tensor-product Bernstein
-/// polynomials, linear in t. Points outside the box stay. The box has a uniform grid of control
-/// points, 2 to 32 along each axis, displaced by offsets; x varies fastest, then y.
+/// polynomials, linear in t. Points outside stay. Offsets displace a uniform grid of 2 to 32
+/// control points along each axis, x fastest, then y.
 pub const GUSSET_FIELD_LATTICE: gusset_field_kind = 9;
 /// Projective map by a 4 x 4 matrix, row by row; linear in t. Undefined where the fourth
 /// homogeneous coordinate is 0.
@@ -55,21 +54,20 @@ pub const GUSSET_FIELD_PARALLEL: gusset_field_kind = 11;
 /// Central projection from the eye values[0..2] onto the plane through values[3..5] with normal
 /// values[6..8]; linear in t. Undefined in the parallel plane through the eye.
 pub const GUSSET_FIELD_PERSPECTIVE: gusset_field_kind = 12;
-/// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. Coordinates
-/// u, v, w become the arc of this circle, the height above the cone, and the length along
-/// generators. They lean towards axis by a = values[1], -pi/2 to pi/2; the apex is at w = r /
-/// sin(a).
+/// Rolls space into a cone about axis, whose circle w = 0 has radius r = values[0] > 0. Then u, v,
+/// w are the arc of this circle, the height above the cone, and the length along generators. These
+/// lean towards axis by a = values[1], -pi/2 to pi/2; the apex is at w = r / sin(a).
 ///
-/// For t < 1, generators lean by t a, and the curvature is t / r. Generators keep their lengths;
-/// the circle at w becomes 1 - (t / r) w sin(t a) times as long.
+/// For t < 1, generators lean by t a; the curvature is t/r. Generators keep their lengths; the
+/// circle at w becomes 1 - (t/r) w sin(t a) times as long.
 pub const GUSSET_FIELD_CONE_WRAP: gusset_field_kind = 13;
-/// Rolls space into a sphere about axis, of radius r = values[0] > 0. Coordinates u, v, w become
-/// the arc of the equator, the arc of the meridian, and the height above the sphere. The ranges
-/// 0 <= u <= 2 pi r and |v| <= pi r / 2 cover the sphere.
+/// Rolls space into a sphere about axis, of radius r = values[0] > 0. Then u, v, w are the arcs of
+/// equator and meridian, and the height above the sphere, which 0 <= u <= 2 pi r and |v| <= pi r /
+/// 2 cover.
 ///
-/// - t up to 1/2: a sheet rolls into a tube of curvature 2 t / r; lengths stay.
-/// - t above 1/2: meridians bend to curvature q / r, q = 2 t - 1, and keep their lengths. The
-///   parallel at v becomes 1 - (1 - cos(q v / r)) / q times as long.
+/// - t <= 1/2: a sheet rolls into a tube of curvature 2t/r; lengths stay.
+/// - t > 1/2: meridians bend to curvature q/r, q = 2t - 1, and keep their lengths. The parallel at
+///   v becomes 1 - (1 - cos(q v/r)) / q times as long.
 pub const GUSSET_FIELD_SPHERE_WRAP: gusset_field_kind = 14;
 
 /// Interpolation of strengths between two keys.
@@ -91,22 +89,22 @@ pub struct gusset_field {
     pub kind: gusset_field_kind,
     /// For kinds that name it; else 0.
     pub axis: gusset_axis,
-    /// For GUSSET_FIELD_SHEAR, not equal to axis; else 0.
+    /// GUSSET_FIELD_SHEAR: another axis. Else 0.
     pub other_axis: gusset_axis,
     /// Interpolation of strengths between two keys.
     pub easing: gusset_easing,
     /// Strength t, times the keys'.
     pub strength: f64,
-    /// Finite numbers, as the kind says; the rest is not read.
+    /// As the kind says; the rest is not read.
     pub values: [f64; 16],
-    /// Finite pairs of time and strength, by increasing time. Strength is constant before the first
-    /// key and after the last. NULL: constant.
+    /// Pairs of time and strength, by increasing time; constant before the first and after the
+    /// last. NULL: constant.
     pub keys: *const f64,
     /// Number of pairs.
     pub key_count: usize,
-    /// Three numbers for each control point of GUSSET_FIELD_LATTICE; else NULL.
+    /// GUSSET_FIELD_LATTICE: three numbers a control point. Else NULL.
     pub offsets: *const f64,
-    /// Control points of GUSSET_FIELD_LATTICE along x, y and z; else 0.
+    /// GUSSET_FIELD_LATTICE: control points along x, y and z. Else 0.
     pub counts: [u32; 3],
     /// 0.
     pub reserved: u32,
@@ -204,19 +202,19 @@ impl gusset_field {
     }
 }
 
-/// Moves a net by a chain of fields, in the given order.
+/// Moves a net by fields, in the given order.
 ///
-/// - For maps of your own, see gusset_net_edit, then snap of gusset_glue_options.
-/// - Computation is in double precision; coordinates are rounded once.
-/// - Fields of strength 0 change no bit.
-/// - Equal bits of glued nodes stay equal. Missing nodes stay missing.
-/// - If every field is defined everywhere, a node that overflows becomes missing.
+/// - For other maps, use gusset_net_edit, then snap of gusset_glue_options.
+/// - Computation is in doubles, rounded once.
+/// - Strength 0 changes no bit.
+/// - Equal bits of glued nodes stay equal, and missing nodes missing.
+/// - A node that overflows becomes missing if all fields are defined everywhere.
 ///
-/// @param time time of keys. For animation, deform a copy of the net at rest.
-/// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (node where a partly undefined
+/// @param time time of keys. To animate, deform copies of the net at rest.
+/// @errors OUT_OF_RANGE (value, strength, time), FIELD_UNDEFINED (node where a partly undefined
 ///     chain is undefined or overflows)
-/// @complexity O(nodes x fields); twice that if a field is partly undefined.
-/// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+/// @complexity O(nodes x fields), twice if a field is partly undefined.
+/// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg, Parry 1986.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_deform(
@@ -233,11 +231,11 @@ pub unsafe extern "C" fn gusset_net_deform(
     })
 }
 
-/// Moves every node along its normal. Glued nodes stay together; nodes without a normal stay.
+/// Moves nodes along their normals. Glued nodes stay together; nodes without a normal stay.
 ///
-/// @param distance finite, of either sign.
+/// @param distance of either sign.
 /// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (first node to overflow)
-/// @complexity O(nodes); memory of the size of the coordinates.
+/// @complexity O(nodes); memory as the coordinates.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_displace(

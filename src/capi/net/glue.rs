@@ -14,30 +14,30 @@ use gusset_base::alloc;
 
 /// Kind of a gluing. See gusset_net for indices.
 pub type gusset_gluing_kind = u32;
-/// The two ends of link element.
+/// The ends of link element.
 pub const GUSSET_GLUING_LINK: gusset_gluing_kind = 0;
 /// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at sides
-/// lead to the opposite side.
+/// lead to the opposite ones.
 pub const GUSSET_GLUING_STAR: gusset_gluing_kind = 1;
-/// The two ends of each link of cell element in the mask: top 1, right 2, bottom 4, left 8.
+/// The ends of each link of cell element in the mask: top 1, right 2, bottom 4, left 8.
 pub const GUSSET_GLUING_CELL: gusset_gluing_kind = 2;
 /// Opposite corners of cell element: mask 1 for the first and third, 2 for the second and fourth.
 pub const GUSSET_GLUING_DIAGONAL: gusset_gluing_kind = 3;
-/// The two runs of a seam.
+/// The runs of a seam.
 pub const GUSSET_GLUING_SEAM: gusset_gluing_kind = 4;
-/// The local gluing of type mask (GUSSET_TYPE_...) at node element; from GUSSET_TYPE_TOP_BOTTOM on,
-/// at cell element.
+/// The local gluing of type mask (GUSSET_TYPE_...) at node element, or cell element from
+/// GUSSET_TYPE_TOP_BOTTOM on.
 pub const GUSSET_GLUING_TYPE: gusset_gluing_kind = 5;
 
-/// Names one place to glue or to unglue: a link, a node, a cell or a seam.
+/// Place to glue or unglue.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing {
     /// Kind of a gluing.
     pub kind: gusset_gluing_kind,
-    /// Link, node or cell; 0 for a seam.
+    /// Link, node or cell; seams: 0.
     pub element: u32,
-    /// As the kind says; 0 for links and seams.
+    /// As the kind says; links and seams: 0.
     pub mask: u32,
     /// 0.
     pub reserved: u32,
@@ -47,8 +47,7 @@ pub struct gusset_gluing {
 
 const _: () = assert!(size_of::<gusset_gluing>() == 56);
 
-/// Local gluing of Deryagin's figure 4. His type n(...) counts contracted links of a node, c(...)
-/// of a cell.
+/// Local gluing of Deryagin's figure 4. n(...) counts contracted links of a node, c(...) of a cell.
 pub type gusset_gluing_type = u32;
 /// Nothing is glued.
 pub const GUSSET_TYPE_NONE: gusset_gluing_type = 0xffff_ffff;
@@ -56,37 +55,37 @@ pub const GUSSET_TYPE_NONE: gusset_gluing_type = 0xffff_ffff;
 pub const GUSSET_TYPE_HORIZONTAL: gusset_gluing_type = 0;
 /// n(1): one vertical link.
 pub const GUSSET_TYPE_VERTICAL: gusset_gluing_type = 1;
-/// n(2,1): east and south links of a node.
+/// n(2,1): east and south links.
 pub const GUSSET_TYPE_EAST_SOUTH: gusset_gluing_type = 2;
-/// n(2,1): south and west links of a node.
+/// n(2,1): south and west links.
 pub const GUSSET_TYPE_SOUTH_WEST: gusset_gluing_type = 3;
-/// n(2,1): west and north links of a node.
+/// n(2,1): west and north links.
 pub const GUSSET_TYPE_WEST_NORTH: gusset_gluing_type = 4;
-/// n(2,1): north and east links of a node.
+/// n(2,1): north and east links.
 pub const GUSSET_TYPE_NORTH_EAST: gusset_gluing_type = 5;
-/// n(2,2): east and west links of a node.
+/// n(2,2): east and west links.
 pub const GUSSET_TYPE_EAST_WEST: gusset_gluing_type = 6;
-/// n(2,2): north and south links of a node.
+/// n(2,2): north and south links.
 pub const GUSSET_TYPE_NORTH_SOUTH: gusset_gluing_type = 7;
-/// n(3): east, south and west links of a node.
+/// n(3): east, south and west links.
 pub const GUSSET_TYPE_BUT_NORTH: gusset_gluing_type = 8;
-/// n(3): south, west and north links of a node.
+/// n(3): south, west and north links.
 pub const GUSSET_TYPE_BUT_EAST: gusset_gluing_type = 9;
-/// n(3): west, north and east links of a node.
+/// n(3): west, north and east links.
 pub const GUSSET_TYPE_BUT_SOUTH: gusset_gluing_type = 10;
-/// n(3): north, east and south links of a node.
+/// n(3): north, east and south links.
 pub const GUSSET_TYPE_BUT_WEST: gusset_gluing_type = 11;
-/// n(4): all four links of a node.
+/// n(4): all four links.
 pub const GUSSET_TYPE_ALL: gusset_gluing_type = 12;
-/// c(2,1): top and bottom of a cell.
+/// c(2,1): top and bottom.
 pub const GUSSET_TYPE_TOP_BOTTOM: gusset_gluing_type = 13;
-/// c(2,1): right and left of a cell.
+/// c(2,1): right and left.
 pub const GUSSET_TYPE_RIGHT_LEFT: gusset_gluing_type = 14;
-/// c(3): three links of a cell, and so the fourth: all its corners become one point.
+/// c(3): three links, and so the fourth: all corners are one point.
 pub const GUSSET_TYPE_POINT: gusset_gluing_type = 15;
-/// c(1,2): first and third corner of a cell.
+/// c(1,2): first and third corner.
 pub const GUSSET_TYPE_FALLING: gusset_gluing_type = 16;
-/// c(1,2): second and fourth corner of a cell.
+/// c(1,2): second and fourth corner.
 pub const GUSSET_TYPE_RISING: gusset_gluing_type = 17;
 
 impl gusset_gluing {
@@ -123,33 +122,33 @@ fn read_gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>,
     alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.with_item(k))))
 }
 
-/// Options of gusset_net_glue. Steps follow the order detect, gluings, links, saturate, snap.
+/// Options of gusset_net_glue. Steps: detect, gluings, links, saturate, snap.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_glue_options {
     /// sizeof(gusset_glue_options).
     pub struct_size: usize,
-    /// For detect: largest distance of coincident nodes; at least 0, finite.
+    /// For detect: largest distance of coincident nodes.
     pub tolerance: f64,
     /// Gluings to add.
     /// @shape gluing_count
     pub gluings: *const gusset_gluing,
     /// Number of gluings.
     pub gluing_count: usize,
-    /// Links to contract; see contracted of gusset_net_analysis_view.
+    /// Links to contract, as in gusset_net_analysis_view.
     /// @shape link_count
     pub links: *const u32,
     /// Number of links.
     pub link_count: usize,
-    /// 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of
+    /// 1: replaces the gluing by the one that coordinates imply: coincident neighbours, and
     /// coincident runs of two or more side nodes in either direction. The orientation stays.
     /// @flag
     pub detect: u32,
-    /// 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped.
-    /// Nets that glue equal neighbours then have equal matrices. detect implies it.
+    /// 1: contracts links with ends in one point, and drops redundant seams; detect implies it.
+    /// Nets that glue equal neighbours then have equal matrices.
     /// @flag
     pub saturate: u32,
-    /// 1: moves the nodes of a point to its first node, bit for bit.
+    /// 1: moves a point's nodes to its first, bit for bit.
     /// @flag
     pub snap: u32,
     /// 0.
@@ -158,13 +157,13 @@ pub struct gusset_glue_options {
 
 versioned! { gusset_glue_options: 64 reserved }
 
-/// Glues nodes, and optionally moves glued nodes together.
+/// Glues nodes.
 ///
-/// @param moved receives the count of changed nodes, or NULL.
-/// @errors OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT (a link, node or cell),
-///     BAD_SEAM (by index of the gluing), CROSSING_CELL, TOO_LARGE
-/// @complexity O(nodes + glued pairs); detect sorts the side nodes. snap alone: O(rows + columns)
-///     if only sides are glued, else O(nodes).
+/// @param moved receives the number of moved nodes, or NULL.
+/// @errors OUT_OF_RANGE (tolerance, mask above 15), NO_SUCH_ELEMENT (link, node, cell), BAD_SEAM
+///     (gluing), CROSSING_CELL, TOO_LARGE
+/// @complexity O(nodes + glued pairs); detect sorts side nodes. snap alone: O(rows + columns) if
+///     only sides are glued.
 /// @source Deryagin, "Local gluings of nodes".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -189,15 +188,15 @@ pub unsafe extern "C" fn gusset_net_glue(
     })
 }
 
-/// Unglues pairs of nodes: frees their links and cuts their seams.
+/// Unglues nodes: frees their links and cuts their seams.
 ///
 /// Nodes that other gluings connect stay one point. Pairs not glued are ignored.
 ///
-/// @param separation gap between the pieces of a point, or 0. Each piece moves by half of it
-///     towards the mean of its neighbours, preferably unsplit ones. A piece without neighbours, or
-///     at their mean, stays.
+/// @param separation gap between the pieces of a point, at least 0. Each moves by half of it
+///     towards the mean of its neighbours, preferably unsplit ones. Without neighbours, or at their
+///     mean, it stays.
 /// @param moved receives the count of moved pieces, or NULL.
-/// @errors as gusset_net_glue, OUT_OF_RANGE (separation negative or not finite)
+/// @errors as gusset_net_glue, OUT_OF_RANGE (separation)
 /// @complexity O(nodes), plus a sort of pairs.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -12,18 +12,18 @@ use crate::net::{LinkMatrix, MAX_NODES, Seam, Shape, Sides, Topology};
 use gusset_base::alloc;
 use std::ptr;
 
-/// Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k
-/// of run B.
+/// Glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run
+/// B.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_seam {
-    /// Row of the first node of A.
+    /// First row of A.
     pub row_a: u32,
-    /// Column of the first node of A.
+    /// First column of A.
     pub column_a: u32,
-    /// Rows from node to node.
+    /// Rows a step.
     pub row_step_a: i32,
-    /// Columns from node to node.
+    /// Columns a step.
     pub column_step_a: i32,
     /// As for A.
     pub row_b: u32,
@@ -33,7 +33,7 @@ pub struct gusset_seam {
     pub row_step_b: i32,
     /// As for A.
     pub column_step_b: i32,
-    /// Nodes, at least 1; 1 if all steps are 0.
+    /// Nodes, at least 1; exactly 1 if all steps are 0.
     pub count: u32,
     /// 0.
     pub reserved: u32,
@@ -42,9 +42,9 @@ pub struct gusset_seam {
 /// Gluing of sides.
 /// @bits
 pub type gusset_sides = u32;
-/// Each row is closed: its last node is its first.
+/// Rows are closed: the last node is the first.
 pub const GUSSET_SIDES_ROWS_CLOSED: gusset_sides = 1;
-/// Each column is closed.
+/// Columns are closed.
 pub const GUSSET_SIDES_COLUMNS_CLOSED: gusset_sides = 2;
 /// The first row is one point.
 pub const GUSSET_SIDES_POLE_TOP: gusset_sides = 4;
@@ -58,27 +58,27 @@ pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
 pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
 /// Rows are closed.
 pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
-/// Rows are closed, the first and last are poles.
+/// Closed rows, the first and last poles.
 pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
 /// All four sides are one point.
 pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
 /// Rows and columns are closed.
 pub const GUSSET_SIDES_TORUS: gusset_sides = 3;
 
-/// Gluing of a net. Default: nothing is glued.
+/// Gluing. Default: none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_gluing {
     /// sizeof(gusset_net_gluing).
     pub struct_size: usize,
     /// Characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link, else 0. Row
-    /// 2i has the horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides.
+    /// 2i has row i's horizontal links, row 2i + 1 the vertical ones. NULL: sides.
     pub matrix: *const u8,
     /// Additional seams.
     pub seams: *const gusset_seam,
     /// Number of seams.
     pub seam_count: usize,
-    /// Sides; 0 with a matrix.
+    /// 0 with a matrix.
     pub sides: gusset_sides,
     /// 1: opposite orientation of faces.
     pub reversed: u32,
@@ -186,19 +186,19 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     replace_gluing(context, net, |net, job| read_topology(net.shape(), gluing, job))
 }
 
-/// Gluing of a net in normal form: sides replace links, and links replace seams, where possible.
+/// Gluing in normal form: sides replace links, and links seams, where possible.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_gluing_report {
     /// sizeof(gusset_net_gluing_report).
     pub struct_size: usize,
-    /// Bytes of the characteristic matrix: 2 * rows * columns.
+    /// Bytes of the matrix: 2 * rows * columns.
     pub matrix_size: usize,
     /// Number of seams.
     pub seam_count: usize,
     /// Number of bridges.
     pub bridge_count: usize,
-    /// Sides, if they describe all links; else UINT32_MAX.
+    /// UINT32_MAX unless sides describe all links.
     pub sides: gusset_sides,
     /// 1: opposite orientation of faces.
     /// @flag
@@ -207,13 +207,13 @@ pub struct gusset_net_gluing_report {
 
 versioned! { gusset_net_gluing_report: 40 }
 
-/// Writes the gluing of a net. NULL with capacity 0 skips an array.
+/// Writes the gluing of a net.
 ///
 /// @param matrix receives the characteristic matrix.
-/// @param matrix_capacity at least matrix_size of the report.
-/// @param seam_capacity at least seam_count of the report.
+/// @param matrix_capacity at least matrix_size.
+/// @param seam_capacity at least seam_count.
 /// @errors BUFFER_TOO_SMALL
-/// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
+/// @complexity O(seams) for seams, O(nodes) for the matrix.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_gluing(

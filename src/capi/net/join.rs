@@ -19,7 +19,7 @@ pub type gusset_bridge_mode = u32;
 pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
 /// Absent cells.
 pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
-/// The two sides, coincident within a tolerance, become one. Positions stay; see snap of
+/// The sides, coincident within a tolerance, become one. Positions stay; see snap of
 /// gusset_glue_options.
 pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
 
@@ -32,16 +32,16 @@ pub const GUSSET_BRIDGE_TUBE: gusset_bridge_kind = 1;
 /// Edge between sides that are a point each.
 pub const GUSSET_BRIDGE_THREAD: gusset_bridge_kind = 2;
 
-/// Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across
-/// the bridge along links.
+/// Properties of a bridge for gusset_net_settle, in any unit of force. Lines run across it along
+/// links.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge_properties {
     /// Force in each line of a thread or ribbon, or per length in a tube's film; at least 0.
     pub tension: f64,
-    /// Force that doubles the length of a line; at least 0.
+    /// Force that doubles a line's length; at least 0.
     pub elasticity: f64,
-    /// Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid.
+    /// Bending stiffness of each line, force x length^2; at least 0. Infinity: rigid.
     pub stiffness: f64,
     /// For the caller's use.
     pub user: u64,
@@ -54,7 +54,7 @@ pub struct gusset_bridge_properties {
 pub struct gusset_concatenate_options {
     /// sizeof(gusset_concatenate_options).
     pub struct_size: usize,
-    /// For welding: largest distance of coincident nodes, at least 0.
+    /// For welding: largest distance of coincident nodes.
     pub tolerance: f64,
     /// Properties of every new bridge.
     pub properties: gusset_bridge_properties,
@@ -67,18 +67,18 @@ pub struct gusset_concatenate_options {
     /// Row or column to replicate.
     /// @when equalise GUSSET_REPLICATE_AT
     pub equalise_index: u32,
-    /// Rotation in nodes of each later net along its closed side.
+    /// Rotation of each later net along its closed side, in nodes.
     pub twist: u32,
     /// 1: flips nets along the side if oriented unlike the first; 0: refuses them.
     /// @flag
     pub turn: u32,
-    /// Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
+    /// Inner rows or columns of new bridges, even on lines; 0 for GUSSET_BRIDGE_WELD.
     pub rows: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// Bridge: the cells between two joined nets.
+/// The cells between two joined nets.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge {
@@ -86,20 +86,20 @@ pub struct gusset_bridge {
     pub struct_size: usize,
     /// Properties given.
     pub properties: gusset_bridge_properties,
-    /// Direction from the first net to the second.
+    /// Direction from first to second net.
     pub direction: gusset_direction,
     /// First column (RIGHT) or row (DOWN) of the second net.
     pub at: u32,
-    /// First node along the side: a row (RIGHT) or column (DOWN).
+    /// First node along the side: row (RIGHT) or column (DOWN).
     pub start: u32,
-    /// One past the last node along the side.
+    /// One past the last node.
     pub end: u32,
     /// Form of a bridge.
     pub kind: gusset_bridge_kind,
     /// Treatment of the cells of a bridge.
     pub mode: gusset_bridge_mode,
-    /// Counts the rows (DOWN) or columns (RIGHT) between the two nets. The last of these is at - 1,
-    /// and the first net ends at at - rows - 1.
+    /// Rows (DOWN) or columns (RIGHT) between the nets, to at - 1. The first net ends at at - rows
+    /// - 1.
     pub rows: u32,
     /// 0.
     pub reserved: u32,
@@ -144,16 +144,14 @@ fn nets_of_handles<'a>(handles: *const *const gusset_net, count: usize) -> Resul
 
 /// Joins nets side by side into one.
 ///
-/// Nets keep their gluing and bridges; links that close them along the direction become seams. A
-/// new bridge joins consecutive nets; its index follows the second net's bridges.
-/// gusset_net_split_create is the inverse.
+/// Nets keep gluing and bridges; links that close them along the direction become seams. Bridges
+/// join consecutive nets, numbered after the second net's. gusset_net_split_create is the inverse.
 ///
 /// @param nets at least one, of one scalar type; may repeat.
 /// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
-///     (sizes with GUSSET_REPLICATE_REFUSE; welded sides apart, by place and distance),
-///     OUT_OF_RANGE (tolerance, twist of an open side, rows of a welded bridge), CROSSING_CELL,
-///     TOO_LARGE
-/// @complexity O(nodes of the result); memory also for copies of enlarged, rotated or flipped nets.
+///     (sizes with GUSSET_REPLICATE_REFUSE; welded sides apart: place, distance), OUT_OF_RANGE
+///     (tolerance, twist of open sides, rows of welded bridges), CROSSING_CELL, TOO_LARGE
+/// @complexity O(nodes of the result); also memory for enlarged, rotated or flipped nets.
 /// @source Deryagin, "Concatenation".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -172,12 +170,12 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 
 /// Splits a net at a bridge from side to side, and removes it.
 ///
-/// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes
-/// are removed. Split the last bridge first. Gluing across the bridge is lost.
+/// Unless changed since, both are as before joining, bit for bit, without copies that equalised
+/// sizes. Split the last bridge first. Gluing across it is lost.
 ///
 /// @param bridge its index.
-/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also for a bridge not from
-///     side to side), CROSSING_CELL
+/// @errors OVERLAP (first is second), NO_SUCH_ELEMENT (also a bridge not from side to side),
+///     CROSSING_CELL
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -207,7 +205,7 @@ pub unsafe extern "C" fn gusset_net_split_create(
 
 /// Describes a bridge.
 ///
-/// @param index below bridge_count of gusset_net_gluing_report.
+/// @param index below bridge_count.
 /// @errors NO_SUCH_ELEMENT
 #[unsafe(no_mangle)]
 #[must_use]
@@ -238,11 +236,11 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 /// Changes the mode and properties of a bridge.
 ///
 /// @param index as for gusset_net_get_bridge.
-/// @param tolerance for welding, as in gusset_concatenate_options.
+/// @param tolerance as in gusset_concatenate_options.
 /// @param properties NULL: the old ones.
-/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows),
-///     SIDES_DIFFER (by place and distance), CROSSING_CELL
-/// @complexity O(nodes) if welding begins or ends, or the net shares memory; else O(1).
+/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance; welding with inner rows), SIDES_DIFFER (place,
+///     distance), CROSSING_CELL
+/// @complexity O(nodes) if welding begins or ends or memory is shared, else O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_bridge(

@@ -10,11 +10,11 @@ use crate::net::measure::{bilinear_area, measure, moments, planarity};
 /// Measures to compute.
 /// @bits
 pub type gusset_net_measures = u32;
-/// Computes area, volume, area_vector, low and high.
+/// area, volume, area_vector, low, high.
 pub const GUSSET_NET_MEASURES_EXTENT: gusset_net_measures = 1;
-/// Computes bilinear_area and bilinear_error, at about ten times the cost.
+/// bilinear_area, bilinear_error; about ten times the cost.
 pub const GUSSET_NET_MEASURES_BILINEAR: gusset_net_measures = 2;
-/// Computes body_volume, centroid and inertia, at about ten times the cost.
+/// body_volume, centroid, inertia; about ten times the cost.
 pub const GUSSET_NET_MEASURES_BODY: gusset_net_measures = 4;
 
 /// Measures of a net; 0 unless requested.
@@ -25,26 +25,26 @@ pub struct gusset_net_measure_report {
     pub struct_size: usize,
     /// Sum of |(c - a) x (d - b)| / 2 for cells a, b, c, d; exact if planar.
     pub area: f64,
-    /// Enclosed volume of a closed two-sided net, positive if normals point outwards; else volume
-    /// of the cone to the first node.
+    /// Enclosed volume of a closed two-sided net, positive if normals point outwards; else of the
+    /// cone to the first node.
     pub volume: f64,
     /// Sum of the cells' area vectors; 0 for closed nets.
     pub area_vector: [f64; 3],
-    /// Smallest coordinates of the present nodes; infinite if all are missing.
+    /// Smallest coordinates; infinite if all nodes are missing.
     pub low: [f64; 3],
     /// Largest coordinates, likewise.
     pub high: [f64; 3],
-    /// Area of the cells' bilinear patches, up to rounding; exceeds area unless cells are planar.
-    /// All layers of a folded patch count.
+    /// Area of the cells' bilinear patches, up to rounding; above area unless cells are planar. All
+    /// layers of folds count.
     pub bilinear_area: f64,
-    /// Bound of the error of bilinear_area.
+    /// Bound of bilinear_area's error.
     pub bilinear_error: f64,
-    /// Volume of the body in a closed net; negative if normals point inwards.
+    /// Volume of the body in a closed net, negative if normals point inwards.
     pub body_volume: f64,
     /// Centroid of the body; NaN if its volume is 0.
     pub centroid: [f64; 3],
-    /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2
-    /// etc.; else of -x y etc.
+    /// Inertia tensor about the centroid, density 1. Diagonal: integrals of y^2 + z^2 etc.; else of
+    /// -x y etc.
     /// @shape 3 3
     pub inertia: [f64; 9],
 }
@@ -57,7 +57,7 @@ pub struct gusset_net_planarity_report {
     pub struct_size: usize,
     /// Largest deviation of a cell; 0 without cells.
     pub worst: f64,
-    /// Its cell; 2^64 - 1 without cells.
+    /// Its cell; UINT64_MAX without cells.
     pub worst_cell: u64,
     /// Mean deviation; NaN without cells.
     pub mean: f64,
@@ -73,7 +73,7 @@ versioned! {
 /// Measures a net.
 ///
 /// Absent cells do not count. Volumes, centroid and inertia are exact for bilinear cells, up to
-/// rounding. If squares or cubes of coordinates overflow (about 1e77), results are infinite or NaN.
+/// rounding. If powers of coordinates overflow (about 1e77), results are infinite or NaN.
 ///
 /// @complexity O(nodes); no memory.
 #[unsafe(no_mangle)]
@@ -113,12 +113,11 @@ pub unsafe extern "C" fn gusset_net_measure(
 
 /// Measures the planarity of cells.
 ///
-/// A cell's deviation is the distance of its corners from their mean plane, divided by the longer
-/// diagonal; 0 for triangles and less, NaN for absent cells.
+/// A cell's deviation is its corners' distance from their mean plane divided by the longer
+/// diagonal; 0 for triangles and less, NaN if absent.
 ///
-/// @param tolerance for above in the report, at least 0.
+/// @param tolerance for above.
 /// @param cells receives each cell's deviation.
-/// @param written receives the number of cells.
 /// @errors BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes); 8 bytes a cell.
 #[unsafe(no_mangle)]

@@ -20,7 +20,7 @@ use std::ptr;
 
 /// Faces of a net's mesh.
 pub type gusset_net_faces = u32;
-/// Quads, and triangles where one side of a cell is a point.
+/// Quads, and triangles where a side of a cell is a point.
 pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
 /// Triangles, cut by the shorter diagonal, or the other if that edge exists.
 pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
@@ -35,7 +35,7 @@ pub struct gusset_net_mesh_options {
     pub struct_size: usize,
     /// Faces of a net's mesh.
     pub faces: gusset_net_faces,
-    /// 1: one vertex for each node; 0: glued nodes are one vertex.
+    /// 1: a vertex for each node; 0: glued nodes are one.
     /// @flag
     pub no_weld: u32,
     /// 1: keeps finite vertices without faces and wires.
@@ -49,8 +49,8 @@ pub struct gusset_net_mesh_options {
     pub texture: u32,
     /// 0.
     pub reserved: u32,
-    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes
-    /// depth jumps from range images.
+    /// Omits faces with edges above this multiple of the median edge; 0: no limit. 4 removes depth
+    /// jumps from range images.
     pub max_edge_ratio: f64,
 }
 
@@ -66,7 +66,7 @@ pub struct gusset_net_mesh_report {
     pub node_of_vertex: gusset_indices,
     /// Cell of each face.
     pub cell_of_face: gusset_indices,
-    /// Edges without faces, two vertices each: cells whose opposite sides are glued.
+    /// Edges without faces, two vertices each: cells with opposite sides glued.
     /// @shape * 2
     pub wires: gusset_indices,
     /// For each corner, its pair in texture_coordinates; empty unless requested.
@@ -88,15 +88,15 @@ pub struct gusset_heights {
     pub rows: usize,
     /// At least 2.
     pub columns: usize,
-    /// Heights of type scalar, contiguous in rows. NaN and infinity mark missing nodes.
+    /// Heights, contiguous in rows. NaN and infinity mark missing nodes.
     pub values: *const c_void,
-    /// Bytes from row to row; 0: no gaps.
+    /// Stride of rows.
     pub row_stride: usize,
-    /// x from column to column, y from row to row; finite, not 0, of either sign.
+    /// x from column to column, y from row to row; not 0.
     pub spacing: [f64; 2],
     /// Position of node (0, 0) at height 0.
     pub origin: [f64; 3],
-    /// Height of missing nodes, if has_no_data is 1.
+    /// Height of missing nodes, if has_no_data.
     pub no_data: f64,
     /// 0 or 1.
     pub has_no_data: u32,
@@ -119,7 +119,7 @@ pub struct gusset_net_grid_options {
     pub struct_size: usize,
     /// Faces of a cell of the given grid.
     pub cells: gusset_grid_cells,
-    /// 1: only the component of face must be a grid; 0: the whole mesh.
+    /// 1: only the component of face must be a grid; 0: all.
     /// @when cells GUSSET_GRID_QUADS
     /// @flag
     pub has_face: u32,
@@ -138,7 +138,7 @@ pub struct gusset_net_grid_view {
     pub struct_size: usize,
     /// Vertex of each node.
     pub vertex_of_node: gusset_indices,
-    /// Face of each cell; for GUSSET_GRID_TRIANGLES, the first of its two.
+    /// Face of each cell, the first of two for GUSSET_GRID_TRIANGLES.
     pub face_of_cell: gusset_indices,
 }
 
@@ -178,10 +178,10 @@ impl gusset_net_mesh_options {
 
 /// Makes the mesh of a net.
 ///
-/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; the
-/// mesh may lack faces. Faces have the net's orientation.
+/// Glued nodes become one vertex, closed nets closed meshes. Absent cells are omitted; the mesh may
+/// lack faces. Faces have the net's orientation.
 ///
-/// @errors OUT_OF_RANGE (max_edge_ratio), TOO_LARGE (2^32 - 1 corners or more)
+/// @errors OUT_OF_RANGE (max_edge_ratio), TOO_LARGE (UINT32_MAX corners or more)
 /// @complexity O(nodes), and O(w log w) for w cells with opposite sides glued.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -253,8 +253,7 @@ where
     Ok(net_of_heights(&heights, job)?)
 }
 
-/// Makes a net from heights over a grid: node (i, j) is at origin + (j spacing[0], i spacing[1],
-/// height).
+/// Makes a net from heights: node (i, j) is at origin + (j spacing[0], i spacing[1], height).
 ///
 /// Faces are counter-clockwise from above, for any sign of spacing.
 ///
@@ -278,19 +277,19 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
 
 /// Finds rows and columns in a mesh, and makes their net, bit for bit.
 ///
-/// The quads, at least one row, form a rectangle, possibly closed in either direction. Fans of
+/// The quads form a rectangle of at least one row, possibly closed in either direction. Fans of
 /// triangles around poles may adjoin its first and last row. Rows follow the only closed direction,
 /// else the first edge of the first quad.
 ///
-/// With GUSSET_GRID_TRIANGLES, one diagonal of either direction cuts each quad.
+/// GUSSET_GRID_TRIANGLES: either diagonal cuts each quad.
 ///
-/// - If several pairings of triangles form a grid, the choice is deterministic; a torus may close
-///   with a shift, unlike the original rows and columns.
-/// - Tubes and tori with irregular diagonals, and poles of open sheets with fewer than six
-///   triangles, may be refused.
+/// - Among several grids, the choice is deterministic; a torus may close with a shift, unlike the
+///   original.
+/// - It may refuse tubes and tori with irregular diagonals, and poles of open sheets with under six
+///   triangles.
 ///
 /// @param grid receives the correspondence, or NULL.
-/// @errors NO_GRID (a face that violates the grid)
+/// @errors NO_GRID (face that violates the grid)
 /// @complexity O(H log d). Closed triangle meshes without distinct poles take several attempts.
 #[unsafe(no_mangle)]
 #[must_use]

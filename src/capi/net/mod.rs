@@ -39,10 +39,10 @@ use std::ffi::c_void;
 pub use net_handle::gusset_net;
 pub(crate) use net_handle::{net_of_handle, net_of_handle_mut};
 
-/// Coordinate matrices, possibly interleaved or column-major. Number (i, j) of each begins i *
-/// row_stride + j * column_stride bytes after the first.
+/// Coordinate matrices, possibly interleaved or column-major: number (i, j) begins i * row_stride +
+/// j * column_stride bytes after the first.
 ///
-/// Normals follow the cross product of increasing column and increasing row.
+/// Normals point along increasing column x increasing row.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
@@ -50,7 +50,7 @@ pub struct gusset_net_view {
     pub struct_size: usize,
     /// At least 2.
     pub rows: usize,
-    /// At least 2; rows * columns is at most 2^31 - 1.
+    /// At least 2; rows * columns at most INT32_MAX.
     pub columns: usize,
     /// First coordinates.
     pub x: *mut c_void,
@@ -58,9 +58,9 @@ pub struct gusset_net_view {
     pub y: *mut c_void,
     /// Third coordinates.
     pub z: *mut c_void,
-    /// Bytes from row to row; 0: no gaps.
+    /// Stride of rows.
     pub row_stride: usize,
-    /// Bytes from number to number in a row; 0: no gaps.
+    /// Stride of numbers in a row.
     pub column_stride: usize,
     /// Type of coordinates.
     pub scalar: gusset_scalar,
@@ -72,9 +72,9 @@ versioned! { gusset_net_view: 72 reserved }
 
 /// Memory of a net's coordinates.
 pub type gusset_net_memory = u32;
-/// Copied to the library's memory.
+/// A copy.
 pub const GUSSET_NET_MEMORY_COPY: gusset_net_memory = 0;
-/// The caller's memory; changes with the net.
+/// The caller's memory, which changes with the net.
 pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 
 /// The layout of the caller's matrices: bytes from row to row, from number to number, and spanned
@@ -200,14 +200,14 @@ fn write_number<T: Real>(to: &mut [u8], value: impl Real) {
 
 /// Makes a net from coordinates.
 ///
-/// Borrowed matrices are aligned, without gaps in rows; row_stride is a multiple of the scalar's
-/// size. They do not overlap, and stay valid until the net is destroyed.
+/// Borrowed matrices are aligned, apart from each other, and without gaps in rows; row_stride is a
+/// multiple of the scalar's size. They stay valid until the net is destroyed.
 ///
 /// @param gluing NULL: nothing is glued.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
 ///     BAD_SEAM, CROSSING_CELL
-/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give
-///     the gluing. Borrowed without matrix and seams: O(1).
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte unless sides give the
+///     gluing. Borrowed without matrix and seams: O(1).
 /// @source Deryagin, "Model of the tetragonal regular network".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -288,10 +288,10 @@ pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut 
 
 /// Lends the coordinates for writing, until the next call with this net.
 ///
-/// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied
+/// The caller keeps glued nodes equal (see snap of gusset_glue_options). Shared memory is copied
 /// first.
 ///
-/// @complexity O(1), or O(nodes) if memory is copied.
+/// @complexity O(1), with a copy O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_edit(
@@ -317,8 +317,7 @@ pub unsafe extern "C" fn gusset_net_edit(
 
 /// Copies the coordinates to the caller's matrices.
 ///
-/// @param view matrices of the net's size, in any layout and scalar type. Conversion to float
-///     rounds. Bytes in gaps stay.
+/// @param view matrices of the net's size, of any layout and scalar type (float rounds). Gaps stay.
 /// @errors SIDES_DIFFER (another size), BAD_STRIDE
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]

@@ -11,18 +11,18 @@ use crate::net::{MorphPath, morph};
 pub type gusset_morph_path = u32;
 /// Straight.
 pub const GUSSET_MORPH_LINEAR: gusset_morph_path = 0;
-/// Uniform best-fitting rotation, straight in the rotating frame. A rigidly moved net keeps its
+/// Uniform best-fitting rotation, straight in the rotating frame. Rigidly moved nets keep their
 /// shape.
 pub const GUSSET_MORPH_RIGID: gusset_morph_path = 1;
 
 c_enum! { path: MorphPath { GUSSET_MORPH_LINEAR => Linear, GUSSET_MORPH_RIGID => Rigid } }
 
-/// Interpolates between two nets with equal rows, columns, scalar type and gluing.
+/// Interpolates between nets of equal rows, columns, scalar type and gluing.
 ///
-/// Nodes with equal bits in both nets keep equal bits. Bridges are as in first. A node missing in
-/// either net is missing.
+/// Nodes with equal bits in both keep them. Bridges are as in first. A node missing in either is
+/// missing.
 ///
-/// @param t time, from 0 (the bits of first) to 1 (the bits of second).
+/// @param t time, from 0 (bits of first) to 1 (bits of second).
 /// @errors OUT_OF_RANGE (t), SIDES_DIFFER (another size; see gusset_net_copy_options),
 ///     MIXED_SCALARS, GLUINGS_DIFFER (node), ORIENTATION_CONFLICT (one net is reversed)
 /// @complexity O(nodes).

@@ -7,13 +7,13 @@ use crate::job::Job;
 use crate::net::{Net, Topology};
 use std::sync::Arc;
 
-/// Net: a matrix of nodes with coordinates, and its gluing.
+/// A matrix of nodes with coordinates, and its gluing.
 ///
 /// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
-/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column; the last node
-///   links to the first.
-/// - A node with a NaN or infinite coordinate is missing. A cell with a missing corner, or of a
-///   hidden bridge, is absent.
+/// - Link 2 * node leads to the row's next node, 2 * node + 1 to the column's; the last links to
+///   the first.
+/// - A node with a NaN or infinite coordinate is missing. A cell with a missing corner or of a
+///   hidden bridge is absent.
 pub struct gusset_net(Arc<Net<'static>>);
 
 handle! { gusset_net }

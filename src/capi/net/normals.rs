@@ -48,16 +48,16 @@ fn check_no_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> R
 
 /// Computes the unit normal of every node.
 ///
-/// Normals follow gusset_net_view; reversed nets have opposite ones. All cells at a glued point
-/// give its nodes one normal, equal in bits. Absent cells do not count.
+/// Directions are as in gusset_net_view, opposite if reversed. All cells at a glued point give its
+/// nodes one normal, equal in bits. Absent cells do not count.
 ///
 /// @param x receives x: rows x columns aligned numbers of the net's scalar type. Buffers must not
 ///     overlap each other or the net.
 /// @param y receives y.
 /// @param z receives z.
-/// @param capacity size of each buffer, in numbers.
-/// @param missing_count receives the number of nodes without a normal, which get zeros: they are
-///     missing, or their cells' areas vanish or cancel. May be NULL.
+/// @param capacity numbers in each.
+/// @param missing_count receives the number of nodes without a normal, which get 0: missing, or
+///     their cells' areas vanish or cancel. May be NULL.
 /// @errors BUFFER_TOO_SMALL, OVERLAP
 /// @complexity O(nodes); a bit a node, and memory for glued nodes.
 #[unsafe(no_mangle)]

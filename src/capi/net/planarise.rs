@@ -15,8 +15,8 @@ use gusset_base::alloc;
 pub struct gusset_planarise_options {
     /// sizeof(gusset_planarise_options).
     pub struct_size: usize,
-    /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0:
-    /// 1e-10, or 4e-7 for float.
+    /// Distance of corners from their mean plane, relative to the box diagonal; 0: 1e-10, float:
+    /// 4e-7.
     pub tolerance: f64,
     /// For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     /// @shape fixed_count
@@ -37,7 +37,7 @@ pub struct gusset_planarise_options {
 pub struct gusset_planarise_report {
     /// sizeof(gusset_planarise_report).
     pub struct_size: usize,
-    /// Initial diagonal of the bounding box.
+    /// Initial box diagonal.
     pub size: f64,
     /// Tolerance times size.
     pub tolerance: f64,
@@ -49,7 +49,7 @@ pub struct gusset_planarise_report {
     pub max_displacement: f64,
     /// Root mean square displacement of all points of quads.
     pub rms_displacement: f64,
-    /// Cell with deviation_after; 2^64 - 1 without quads.
+    /// Cell with deviation_after; UINT64_MAX without quads.
     pub worst_cell: u64,
     /// Steps; 0 if all cells were planar and no bit changed.
     pub iterations: u32,
@@ -62,10 +62,10 @@ versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 
 /// Makes all cells planar, with locally least squared displacement.
 ///
-/// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
+/// Glued nodes stay one point. Absent cells, and those below four corners, do not count.
 ///
 /// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
-/// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
+/// @complexity O(n^1.5) time a step and O(n log n) memory for n cells.
 /// @threads Uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
 #[unsafe(no_mangle)]

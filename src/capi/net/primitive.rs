@@ -21,11 +21,11 @@ pub const GUSSET_NET_ONE_POLE_SPHERE: gusset_net_shape = 2;
 pub const GUSSET_NET_TUBE: gusset_net_shape = 3;
 /// Closed cylinder: radius, height. From 4 x 4 nodes.
 pub const GUSSET_NET_CYLINDER: gusset_net_shape = 4;
-/// Regular prism: sides, radius (circumscribed), height. At least 4 rows and sides + 1 columns.
+/// Regular prism: sides, radius (circumscribed), height. From 4 x (sides + 1) nodes.
 pub const GUSSET_NET_PRISM: gusset_net_shape = 5;
 /// Cone with base: radius, height. From 3 x 4 nodes.
 pub const GUSSET_NET_CONE: gusset_net_shape = 6;
-/// Regular pyramid: sides, radius (circumscribed), height. At least 3 rows and sides + 1 columns.
+/// Regular pyramid: sides, radius (circumscribed), height. From 3 x (sides + 1) nodes.
 pub const GUSSET_NET_PYRAMID: gusset_net_shape = 7;
 /// Profile revolved about z: profile, profile_count. At least 4 columns; each point makes a row.
 pub const GUSSET_NET_LATHE: gusset_net_shape = 8;
@@ -45,11 +45,11 @@ pub const GUSSET_NET_PILLOW: gusset_net_shape = 14;
 
 /// Layout of the caps of a box.
 pub type gusset_box_kind = u32;
-/// Each cap closes along a slit. Unit quads; no seams.
+/// Caps close along slits. Unit quads; no seams.
 pub const GUSSET_NET_BOX_SLIT: gusset_box_kind = 0;
 /// Crosswise unwrapping. Unit quads; two seams.
 pub const GUSSET_NET_BOX_CROSS: gusset_box_kind = 1;
-/// Concentric rings, with the fewest nodes; triangles along the diagonals.
+/// Concentric rings: fewest nodes; triangles along the diagonals.
 pub const GUSSET_NET_BOX_CONCENTRIC: gusset_box_kind = 2;
 
 /// Standard shape and its measures.
@@ -62,9 +62,9 @@ pub struct gusset_net_primitive {
     pub shape: gusset_net_shape,
     /// Type of coordinates.
     pub scalar: gusset_scalar,
-    /// 0: 33. Boxes and lathes ignore it.
+    /// 0: 33. Not for boxes and lathes.
     pub rows: usize,
-    /// 0: 65. Boxes ignore it.
+    /// 0: 65. Not for boxes.
     pub columns: usize,
     /// Above 0.
     pub radius: f64,
@@ -74,17 +74,17 @@ pub struct gusset_net_primitive {
     pub height: f64,
     /// Sizes along x, y and z, above 0.
     pub size: [f64; 3],
-    /// Distance from the axis, at least 0, and height of each point, upwards. Points on the axis
-    /// are poles. A closed profile makes a ring.
+    /// Distance from the axis (at least 0) and height of each point, upwards. Points on the axis
+    /// are poles; closed profiles make rings.
     /// @shape profile_count 2
     pub profile: *const f64,
     /// At least 2.
     pub profile_count: usize,
-    /// Lateral faces of a prism or pyramid, at least 3.
+    /// Lateral faces of prisms and pyramids, at least 3.
     pub sides: u32,
     /// Layout of the caps of a box.
     pub box_kind: gusset_box_kind,
-    /// Cells of a box along x, y and z, at least 1 each.
+    /// Cells of boxes along x, y and z, at least 1.
     pub cells: [u32; 3],
     /// 0.
     pub reserved: u32,
@@ -122,11 +122,11 @@ impl gusset_net_primitive {
     }
 }
 
-/// Makes a standard shape, centred at the origin, with axis z.
+/// Makes a standard shape at the origin, with axis z.
 ///
 /// Glued nodes have equal bits. Closed surfaces have outward normals.
 ///
-/// @errors OUT_OF_RANGE (a measure, too few elements), TOO_LARGE
+/// @errors OUT_OF_RANGE (measure, too few elements), TOO_LARGE
 /// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
 /// @source Deryagin, "Closures of nets".
 #[unsafe(no_mangle)]

@@ -27,7 +27,7 @@ c_enum! {
 
 /// Makes a net of rows x columns nodes, spread evenly over net.
 ///
-/// First and last rows and columns stay. A new node on an old one has its bits. The gluing stays;
+/// First and last rows and columns and the gluing stay. A new node on an old one has its bits;
 /// glued nodes have equal bits.
 ///
 /// @param rows at least 2.
@@ -52,10 +52,10 @@ pub unsafe extern "C" fn gusset_net_resample_create(
 
 /// Removes rows, then columns, within a tolerance, each time with the least deviation.
 ///
-/// @param tolerance at least 0, may be infinite. Nodes are within half of it of the segments that
-///     replace their columns; likewise for rows.
-/// @param rows receives the kept rows, with room for all rows of net; may be NULL.
-/// @param columns likewise for columns.
+/// @param tolerance may be INFINITY. Nodes are within half of it of the segments that replace their
+///     columns; likewise rows.
+/// @param rows receives the kept rows, with room for all; may be NULL.
+/// @param columns likewise.
 /// @param deviation receives the largest deviation, or NULL.
 /// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
@@ -94,12 +94,12 @@ fn write_indices(indices: &[usize], buffer: *mut u32, name: &'static str) -> Res
 
 /// Makes levels of detail: nets of 2^k + 1 rows and columns, finest first.
 ///
-/// The first level is a copy if the net has such a size, else resampled to the next larger one.
-/// Each further level has every second row and column, bit for bit.
+/// The first is a copy if the net has such a size, else resampled to the next larger. Each other
+/// has every second row and column, bit for bit.
 ///
 /// @param levels receives the handles.
 /// @param capacity GUSSET_PYRAMID_LEVELS always suffices.
-/// @param count receives the count; capacity 0 gives BUFFER_TOO_SMALL.
+/// @param count receives the count; capacity must exceed 0.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes); memory for 4/3 of the first level.
 #[unsafe(no_mangle)]

@@ -14,14 +14,13 @@ use gusset_base::alloc;
 pub struct gusset_settle_options {
     /// sizeof(gusset_settle_options).
     pub struct_size: usize,
-    /// Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
+    /// Largest displacement in the last step, relative to the box diagonal; 0: 1e-12.
     pub tolerance: f64,
     /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     pub rest_ratio: f64,
-    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: the net itself.
+    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: itself.
     pub reference: *const gusset_net,
-    /// For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds
-    /// all.
+    /// For each part between bridges: 1 moves it as a rigid body, 0 holds it. NULL holds all.
     /// @shape free_count
     /// @flag
     pub free: *const u8,
@@ -57,7 +56,7 @@ pub struct gusset_settle_report {
     pub settled: u32,
     /// Counted bridges without forces, whose nodes stay: hidden, welded, or with properties 0.
     pub idle: u32,
-    /// Films with a cell below a millionth of the initial mean cell area.
+    /// Films with a cell below 1e-6 of the initial mean cell area.
     pub collapsed: u32,
     /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the
     /// energy.
@@ -69,25 +68,24 @@ pub struct gusset_settle_report {
 
 versioned! { gusset_settle_options: 56 reserved, gusset_settle_report: 80 }
 
-/// Moves inner nodes of bridges, and free parts, to the equilibrium of the bridges' properties.
+/// Moves inner nodes of bridges, and free parts, to equilibrium.
 ///
-/// Only bridges from side to side count, in the direction of the last of them. A bridge of infinite
-/// stiffness and its two sides are a rigid body. If connected parts lack a held one, the first is
-/// held.
+/// Only bridges from side to side count, in the direction of the last. A bridge of infinite
+/// stiffness and its sides are a rigid body. If connected parts lack a held one, the first is held.
 ///
 /// The result is a local minimum of the sum of energies; no step increases it. Energies of a line
 /// across a bridge:
 ///
-/// - tension times its length, with evenly spaced nodes. In a tube: tension times the film's area.
-/// - elasticity / 2 (l - r)^2 / r for each link of length l and rest length r.
+/// - tension times its length, with evenly spaced nodes; in a tube, times the film's area.
+/// - elasticity / 2 (l - r)^2 / r a link of length l and rest length r.
 /// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts
 ///   in their direction.
 ///
-/// @errors COUNT_DIFFERS (free_count too small), SIDES_DIFFER (reference of another size),
-///     OUT_OF_RANGE (tolerance, rest_ratio; a negative, NaN or infinite property, by bridge),
-///     NO_SUCH_ELEMENT (overlapping bridges)
-/// @complexity O(nodes), and for each step O(n^1.5) time and O(n log n) memory for n inner nodes.
-/// @threads It uses one thread.
+/// @errors COUNT_DIFFERS (free_count too small), SIDES_DIFFER (reference's size), OUT_OF_RANGE
+///     (tolerance, rest_ratio; property negative, NaN or infinite, by bridge), NO_SUCH_ELEMENT
+///     (overlapping bridges)
+/// @complexity O(nodes), and O(n^1.5) time a step and O(n log n) memory for n inner nodes.
+/// @threads Uses one thread.
 /// @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -17,12 +17,12 @@ pub const GUSSET_AXIS_Y: gusset_axis = 1;
 /// z.
 pub const GUSSET_AXIS_Z: gusset_axis = 2;
 
-/// Kind of an affine map. It gives the meaning of values.
+/// Kind of an affine map. It tells the values.
 pub type gusset_operation_kind = u32;
 /// Translation by values[0..2].
 pub const GUSSET_OPERATION_TRANSLATE: gusset_operation_kind = 1;
-/// Right-handed rotation by values[3] about the axis through values[4..6] with direction
-/// values[0..2], not 0.
+/// Right-handed rotation by values[3] about the axis through values[4..6] along values[0..2], not
+/// 0.
 pub const GUSSET_OPERATION_ROTATE: gusset_operation_kind = 2;
 /// Left-handed rotation, as Deryagin's formula is printed.
 pub const GUSSET_OPERATION_ROTATE_AS_PRINTED: gusset_operation_kind = 3;
@@ -41,9 +41,9 @@ pub const GUSSET_OPERATION_MATRIX: gusset_operation_kind = 7;
 pub struct gusset_operation {
     /// Kind of an affine map.
     pub kind: gusset_operation_kind,
-    /// Axis of GUSSET_OPERATION_COMPRESS; else 0.
+    /// For GUSSET_OPERATION_COMPRESS; else 0.
     pub axis: gusset_axis,
-    /// Numbers, as the kind says; the rest is not read.
+    /// As the kind says; the rest is not read.
     pub values: [f64; 12],
 }
 
@@ -96,16 +96,16 @@ fn compose_operations(operations: *const gusset_operation, count: usize) -> Resu
     })
 }
 
-/// Moves a net by a chain of affine maps, composed in the given order into one matrix.
+/// Moves a net by affine maps, composed in the given order.
 ///
-/// - Computation uses the net's scalar type.
-/// - Equal bits of glued nodes stay equal. Missing nodes stay missing; their finite coordinates may
-///   change.
-/// - A mirroring chain changes the net's reversed flag, so faces still look outwards.
+/// - It computes in the net's scalar type.
+/// - Equal bits of glued nodes stay equal, and missing nodes missing; other coordinates of theirs
+///   may change.
+/// - Mirroring changes the reversed flag, so that faces still look outwards.
 ///
 /// @param count may be 0.
-/// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product),
-///     FIELD_UNDEFINED (first node to overflow)
+/// @errors OUT_OF_RANGE (not finite, axis of length 0, overflow of the product), FIELD_UNDEFINED
+///     (first node to overflow)
 /// @complexity O(nodes); no memory.
 /// @source Deryagin, T, R, S, C.
 #[unsafe(no_mangle)]

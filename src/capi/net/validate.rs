@@ -11,11 +11,11 @@ use gusset_base::alloc;
 
 /// Kind of a finding.
 pub type gusset_net_finding_kind = u32;
-/// Violation: the ends of contracted link element are apart, or one is missing.
+/// Violation: ends of contracted link element are apart, or one is missing.
 pub const GUSSET_NET_FINDING_LINK_APART: gusset_net_finding_kind = 0;
 /// Violation: two nodes glued by seam element are apart, or one is missing.
 pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
-/// Warning: the ends of link element are one point, but it is not contracted; see saturate of
+/// Warning: ends of link element are one point, but it is not contracted; see saturate of
 /// gusset_glue_options.
 pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
 /// Warning: the ends of link element coincide without being glued.
@@ -42,7 +42,7 @@ pub struct gusset_net_validation(Vec<gusset_net_finding>);
 
 handle! { gusset_net_validation }
 
-/// Findings: violations, then warnings, sorted by kind and element.
+/// Violations, then warnings, sorted by kind and element.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_validation_view {
@@ -70,10 +70,9 @@ c_enum! {
     }
 }
 
-/// Checks that glued nodes coincide, and warns of suspicious gluing. Two missing nodes coincide.
+/// Checks that glued nodes coincide (as do missing ones), and warns of suspicious gluing.
 ///
-/// @param tolerance largest distance of coincident nodes, at least 0; 0: equal coordinates (0
-///     equals -0).
+/// @param tolerance largest distance of coincident nodes; 0: equal coordinates (0 equals -0).
 /// @errors OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes), plus a sort of the findings.
 /// @source Deryagin, "Non-spatial operations".

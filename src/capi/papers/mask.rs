@@ -23,12 +23,12 @@ pub struct gusset_mask_report {
     pub struct_size: usize,
     /// Number of cells.
     pub cells: u64,
-    /// Most cells in a shortest chain; 0 without cells, 2^64 - 1 if disconnected.
+    /// Most cells in a shortest chain; 0 without cells, UINT64_MAX if disconnected.
     pub integer_diameter: u64,
     /// Vertices - edges + cells: 1 for a connected region without holes.
     pub euler: i64,
-    /// Bound of the distance of two points: integer_diameter times the greatest Euclidean diameter
-    /// of a cell; infinite if disconnected.
+    /// Bound of the distance of two points: integer_diameter times a cell's greatest Euclidean
+    /// diameter; infinite if disconnected.
     pub diameter: f64,
 }
 
@@ -49,15 +49,15 @@ fn read_cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Fail
     Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
 }
 
-/// Finds a shortest chain of cells in a region; consecutive cells share a node.
+/// Finds a shortest chain of cells in a region, in which neighbours share a node.
 ///
-/// The sum of their diameters bounds the distance between points of the end cells.
+/// The sum of their diameters bounds the distance of points of the end cells.
 ///
-/// @param words the region, a bit a cell. Cell (i, j) is bit k % 64 of word k / 64, k = i * columns
-///     + j. NULL with count 0: all cells.
+/// @param words a bit a cell: cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j. NULL
+///     with count 0: all cells.
 /// @param count at least the words of all cells.
 /// @param from row and column in the region.
-/// @param to row and column in the region.
+/// @param to likewise.
 /// @param cells receives row and column of each cell, from and to included.
 /// @param capacity in cells.
 /// @param written receives the number of cells; 0 without a chain.
@@ -118,13 +118,12 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
 
 /// Lists the cells or nodes of a region, row after row.
 ///
-/// Each node is listed once; a closing line counts as the first line.
+/// Each node is listed once; a closing line counts as the first.
 ///
 /// @param words as for gusset_sheet_mask_chain.
 /// @param domain faces: cells; vertices or corners: nodes.
-/// @param elements receives row and column of each element.
+/// @param elements receives row and column of each.
 /// @param capacity in elements.
-/// @param written receives the number of elements.
 /// @errors COUNT_DIFFERS (too few words), BUFFER_TOO_SMALL
 /// @complexity O(cells / 64 + cells listed); O(nodes) for nodes.
 #[unsafe(no_mangle)]

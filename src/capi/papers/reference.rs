@@ -33,7 +33,7 @@ pub const GUSSET_REFERENCE_PLANE: gusset_reference_object = 1;
 pub const GUSSET_REFERENCE_LINE: gusset_reference_object = 2;
 /// The segment from `point` to `point` + `direction`.
 pub const GUSSET_REFERENCE_SEGMENT: gusset_reference_object = 3;
-/// Normals at `angle` to `direction`. Distances are deviations from the angle.
+/// Normals at `angle` to `direction`. Distances are deviations from it.
 pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
 
 /// The curve.
@@ -43,7 +43,7 @@ pub const GUSSET_REFERENCE_SURFACE: gusset_reference_object = 6;
 /// The ray from `point` along `direction`.
 pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 
-/// Task and method of Leus's search. Fields name objects without prefix.
+/// Task and method of Leus's search. Fields name their object without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_task {
@@ -51,28 +51,28 @@ pub struct gusset_reference_task {
     pub struct_size: usize,
     /// Object of a search.
     pub object: gusset_reference_object,
-    /// Cells to find. 0: those that may have a point at most `within` away; 1: the nearest point.
+    /// Cells to find: 0: those that may have a point `within`; 1: the nearest point's.
     pub find_nearest: u32,
     /// Not read for angles.
     pub point: [f64; 3],
-    /// Not 0; not read for points.
+    /// Not read for points.
     pub direction: [f64; 3],
-    /// At least 0; INFINITY: all cells. Not read if find_nearest is 1.
+    /// Largest distance; INFINITY: all cells. Not read with find_nearest.
     pub within: f64,
     /// ANGLE: 0 to pi.
     pub angle: f64,
-    /// ANGLE: an upper bound of the sheet's absolute principal curvatures, as from
-    /// gusset_sheet_measure. 0: uses cones of normals instead, which give tighter bounds.
+    /// ANGLE: bound of the sheet's absolute principal curvatures, as from gusset_sheet_measure. 0:
+    /// cones of normals, which are tighter.
     pub curvature: f64,
     /// ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
     /// Bound of blocks. 1: sum of each ring's greatest bound; 0: integer diameter times the
     /// greatest.
     pub by_rings: u32,
-    /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
+    /// 1: visits nodes row by row, like Leus; 0: distant ones first.
     pub by_rows: u32,
-    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them; 1:
-    /// keeps them.
+    /// 0: removes rows and columns of cells at an edge that an excluded block covers; 1: keeps
+    /// them.
     pub keep_lines: u32,
     /// CURVE.
     pub curve: *const gusset_curve,
@@ -80,7 +80,7 @@ pub struct gusset_reference_task {
     pub surface: *const gusset_surface,
 }
 
-/// Result and work of Leus's search for the cells that may satisfy a task.
+/// Result and work of Leus's search.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_report {
@@ -94,11 +94,11 @@ pub struct gusset_reference_report {
     pub blocks: u64,
     /// Lines of cells removed.
     pub dropped: u64,
-    /// Least distance of evaluated nodes; of all if find_nearest is 1.
+    /// Least distance of evaluated nodes (find_nearest: of all).
     pub min_distance: f64,
-    /// Row of the node at min_distance.
+    /// Row of its node.
     pub row: u32,
-    /// Column of the node at min_distance.
+    /// Column of its node.
     pub column: u32,
 }
 
@@ -177,7 +177,6 @@ impl gusset_reference_task {
 /// No qualifying cell is missing. gusset_surface answers faster.
 ///
 /// @param words receives a bit a cell, as for gusset_sheet_mask_chain; 0 after an error.
-/// @param written receives the number of words.
 /// @param report may be NULL.
 /// @errors OUT_OF_RANGE (non-finite values, zero direction, within, angle), BUFFER_TOO_SMALL
 /// @complexity O(cells), parallel, for bounds; O(cells / 64 + nodes evaluated) for the search.
@@ -238,8 +237,7 @@ fn run_and_write_search(
 /// curvature and keep_lines are not read.
 ///
 /// @param parts arcs of each segment, at least 1; at most 2^30 arcs in all.
-/// @param words receives a bit an arc: arc k is bit k % 64 of word k / 64; 0 after an error.
-/// @param written receives the number of words.
+/// @param words receives a bit an arc: k is bit k % 64 of word k / 64; 0 after an error.
 /// @param report row is 0, column the point of the curve; may be NULL.
 /// @errors as gusset_sheet_reference_mask, EMPTY_CURVE, OUT_OF_RANGE (parts), TOO_LARGE
 /// @complexity O(arcs degree^2) for lengths; O(arcs / 64 + nodes evaluated) for the search.
@@ -263,12 +261,12 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
 
 /// Approximates normals by Leus's sections, to third order in the size of cells.
 ///
-/// Two orthogonal planes parallel to the mean normal of the cell's corners cut the lines of the
-/// net. In each, a cubic through four crossings gives a tangent. gusset_surface_evaluate is exact.
+/// Two orthogonal planes parallel to the mean normal of the cell's corners cut the net's lines. In
+/// each, a cubic through four crossings gives a tangent. gusset_surface_evaluate is exact.
 ///
-/// @param places their sheet is not read; u and v are 0 to 1.
+/// @param places their sheet is not read.
 /// @param normals receives count normals; 0 if undefined or after an error.
-/// @errors NO_SUCH_ELEMENT (place: no such cell, or a parameter outside 0 to 1)
+/// @errors NO_SUCH_ELEMENT (place; also a parameter outside 0 to 1)
 /// @complexity O(1) a place.
 /// @source Leus, fig. 1.
 #[unsafe(no_mangle)]

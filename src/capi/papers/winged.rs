@@ -14,20 +14,19 @@ use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, Wing
 
 /// Orientation of faces in a mesh.
 pub type gusset_winding = u32;
-/// Faces are counter-clockwise seen from outside. The tables list them in reverse, as Baumgart
-/// does.
+/// Counter-clockwise seen from outside. The tables list them in reverse, as Baumgart does.
 pub const GUSSET_FACES_COUNTER_CLOCKWISE: gusset_winding = 0;
-/// Faces are clockwise seen from outside, as Baumgart's.
+/// Clockwise seen from outside, as Baumgart's.
 pub const GUSSET_FACES_CLOCKWISE: gusset_winding = 1;
 
 /// Marks of an edge.
 /// @bits
 pub type gusset_winged_flags = u32;
-/// A record of one face of a non-manifold edge.
+/// One face of a non-manifold edge.
 pub const GUSSET_WINGED_NON_MANIFOLD: gusset_winged_flags = 1;
-/// A record of one face of an edge that two faces traverse in one direction.
+/// One face of an edge that two faces traverse in one direction.
 pub const GUSSET_WINGED_NOT_ORIENTED: gusset_winged_flags = 2;
-/// The ends are equal (M = N), or a face has fewer than three edges with different ends.
+/// The ends are equal, or a face has fewer than three edges with different ends.
 pub const GUSSET_WINGED_DEGENERATE: gusset_winged_flags = 4;
 
 const _: () = assert!(
@@ -61,7 +60,7 @@ pub struct gusset_winged_options {
     pub reserved: u32,
 }
 
-/// An edge in Baumgart's notation; UINT32_MAX is NULL. Faces are clockwise seen from outside.
+/// An edge in Baumgart's notation, UINT32_MAX for NULL. Faces are clockwise seen from outside.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_edge {
@@ -107,7 +106,7 @@ pub struct gusset_winged_view {
     pub loop_vertices: gusset_indices,
     /// Edges of the loops; edge i starts at vertex i.
     pub loop_edges: gusset_indices,
-    /// loops + 1 offsets into both arrays.
+    /// Offsets into loop_vertices and loop_edges, by loop.
     pub loop_offsets: gusset_indices,
 }
 
@@ -132,9 +131,9 @@ c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise,
 /// Makes the winged-edge tables of a mesh, and finds its boundary loops by Nesterenko's algorithm
 /// 1.
 ///
-/// A non-manifold edge, or one with two faces in one direction, becomes several marked records of
-/// one face each. A stitched mesh keeps the edge numbers of its first mesh. Loops are as of
-/// gusset_boundary_create, except that an edge with inconsistent faces is a boundary on both sides.
+/// A non-manifold edge, or one with two faces in one direction, becomes marked records of one face
+/// each. A stitched mesh keeps its first mesh's edge numbers. Loops are as in
+/// gusset_boundary_create, except that edges with inconsistent faces are boundaries on both sides.
 ///
 /// @errors as gusset_mesh_view
 /// @complexity O(H log d); linear memory.
@@ -185,14 +184,14 @@ pub unsafe extern "C" fn gusset_winged_get_view(
 
 /// Reads the faces of a winged-edge table, and checks its records.
 ///
-/// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist;
-/// a side without a face lacks wings. Marks are not read. Edges and edge_of_face of
+/// Each face must be one cycle of three or more sides along the wings. Wings and faces must exist;
+/// sides without a face lack wings. Marks are not read. Edges and edge_of_face of
 /// gusset_winged_create give back its faces corner for corner.
 ///
 /// @param edge_count 0: no faces.
 /// @param vertex_count exceeds every vertex of an edge.
-/// @param first_edges for each face, the edge where it begins; from M to N if both sides are of the
-///     face. NULL: the lowest edge.
+/// @param first_edges for each face, the edge where it begins; from M to N if both sides are the
+///     face's. NULL: the lowest.
 /// @errors BAD_WINGS (edge), FACE_TOO_SMALL (also a face without sides), OUT_OF_RANGE
 ///     (first_edges), TOO_LARGE
 /// @complexity O(edges) time and memory.

@@ -27,16 +27,15 @@ pub const GUSSET_PLUGIN_VALUE_U32: u32 = 5;
 
 /// Weighted mean; integers are rounded.
 pub const GUSSET_PLUGIN_RULE_LINEAR: u32 = 0;
-/// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were
-/// turned over are negated.
+/// Directions of three floats: mean on the sphere, of length 1. Faces turned over negate theirs.
 pub const GUSSET_PLUGIN_RULE_NORMAL: u32 = 1;
-/// Skin weights: weighted mean; the max_influences largest are kept, scaled to sum 1 or an integer
-/// type's largest value.
+/// Skin weights: weighted mean; the max_influences largest, scaled to sum 1 or an integer type's
+/// largest value.
 pub const GUSSET_PLUGIN_RULE_SKIN_WEIGHTS: u32 = 2;
 /// Value of the source with the largest weight.
 pub const GUSSET_PLUGIN_RULE_NEAREST: u32 = 3;
-/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else each
-/// side's chart continues to a seam in the middle.
+/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else
+/// charts continue to a seam in the middle.
 pub const GUSSET_PLUGIN_RULE_TEXTURE: u32 = 4;
 
 // The plugin's constants equal the library's.
@@ -56,8 +55,8 @@ const _: () = assert!(
         && GUSSET_PLUGIN_RULE_TEXTURE == library::GUSSET_RULE_TEXTURE
 );
 
-/// Type of values, and rule that combines them. A single source's value stays bit for bit. Without
-/// valued sources, elements get 0.
+/// Type of values, and rule that combines them. A single source's value stays bit for bit; elements
+/// without valued sources get 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_channel {
@@ -71,8 +70,7 @@ pub struct gusset_plugin_channel {
     pub components: u32,
     /// GUSSET_PLUGIN_RULE_...
     pub rule: u32,
-    /// Weights that GUSSET_PLUGIN_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0:
-    /// all.
+    /// Weights that GUSSET_PLUGIN_RULE_SKIN_WEIGHTS keeps; 0: all.
     pub max_influences: u32,
     /// 0.
     pub reserved: u32,
@@ -82,7 +80,7 @@ pub struct gusset_plugin_channel {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_channel_values {
-    /// Components of each element at each stride; NULL with count 0 if lacking.
+    /// Components of each element; NULL with count 0 if lacking.
     pub values: *const c_void,
     /// Vertices, corners or faces of the input.
     pub count: usize,
@@ -105,22 +103,22 @@ pub struct gusset_plugin_origins {
     pub struct_size: usize,
     /// Number of elements.
     pub count: usize,
-    /// Element k has sources and weights offsets[k] to offsets[k + 1] - 1, if any.
+    /// Offsets into sources and weights, by element.
     pub offsets: *const u32,
     /// Elements, numbered through all inputs.
     pub sources: *const u32,
-    /// Weight of each source, above 0, sum 1.
+    /// Weight of each source, above 0, in all 1.
     pub weights: *const f64,
     /// Number of inputs.
     pub input_count: usize,
-    /// Input i has sources starts[i] to starts[i + 1] - 1.
+    /// Offsets of inputs in this numbering.
     pub starts: *const u32,
 }
 
 versioned! { gusset_plugin_origins: 56 }
 fixed! { gusset_plugin_channel_values: 24 }
 
-/// extension("attributes/1"): transfers attributes to outputs of runs with gusset_host.origins.
+/// extension("attributes/1"): transfers attributes to outputs of runs with origins.
 #[repr(C)]
 pub struct gusset_plugin_attributes {
     /// sizeof(gusset_plugin_attributes).
@@ -135,9 +133,9 @@ pub struct gusset_plugin_attributes {
         origins: *mut gusset_plugin_origins,
     ) -> i32,
     /// Writes the values of the output's elements in O(elements and sources). host: as for run.
-    /// inputs: one for each input of the run, in order. values: room for count elements, at least
-    /// the output's; no overlap with the inputs' values. failure: receives the reason, with a
-    /// static message; may be NULL.
+    /// inputs: one for each input of the run. values: room for count elements, at least the
+    /// output's, apart from inputs. failure: receives the reason, with a static message; may be
+    /// NULL.
     pub apply: unsafe extern "C" fn(
         outputs: *const gusset_outputs,
         index: u32,

@@ -47,51 +47,49 @@ pub const GUSSET_PARAM_DIRECTION: u32 = 8;
 /// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 pub const GUSSET_PARAM_PLANE: u32 = 9;
 
-/// Number of a report: whole.
+/// Report value: whole.
 pub const GUSSET_VALUE_COUNT: u32 = 1;
-/// Number of a report: 0 or 1.
+/// Report value: 0 or 1.
 pub const GUSSET_VALUE_FLAG: u32 = 2;
-/// Number of a report: without unit, or in a unit of its own.
+/// Report value: without unit, or in its own.
 pub const GUSSET_VALUE_NUMBER: u32 = 3;
-/// Number of a report: length in the unit of the positions.
+/// Report value: length in the unit of the positions.
 pub const GUSSET_VALUE_LENGTH: u32 = 4;
-/// Number of a report: area in the square of that unit.
+/// Report value: area in the square of that unit.
 pub const GUSSET_VALUE_AREA: u32 = 5;
-/// Number of a report: volume in the cube of that unit.
+/// Report value: volume in the cube of that unit.
 pub const GUSSET_VALUE_VOLUME: u32 = 6;
-/// Number of a report: angle in radians.
+/// Report value: angle in radians.
 pub const GUSSET_VALUE_ANGLE: u32 = 7;
 
 /// The first output replaces the first input, else outputs are new.
 pub const GUSSET_FILTER_REPLACES: u32 = 1;
 
-/// The first output, a mesh, has elements of the inputs; extension("attributes/1") transfers
-/// attributes.
+/// The first output, a mesh, has elements of the inputs, for extension("attributes/1").
 pub const GUSSET_FILTER_ORIGINS: u32 = 2;
 
 /// No input or parameter.
 pub const GUSSET_PLUGIN_NONE: u32 = u32::MAX;
 
-/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Inputs are not copied.
+/// Polygon mesh, with the rules of gusset_mesh_view in gusset.h. Inputs are not copied.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_mesh {
     /// sizeof(gusset_plugin_mesh).
     pub struct_size: usize,
-    /// x, y, z at each stride; finite at vertices of faces.
+    /// x, y, z; finite at vertices of faces.
     pub positions: *const c_void,
     /// Stride of positions.
     pub position_stride: usize,
     /// 1 to 2^32 - 2.
     pub vertex_count: usize,
-    /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] -
-    /// 1. NULL with face_size, not in outputs.
+    /// Offsets into face_corners, by face. NULL with face_size, not in outputs.
     pub face_offsets: *const c_void,
     /// Vertex of each corner, face by face.
     pub face_corners: *const c_void,
     /// At least 1 in an input.
     pub face_count: usize,
-    /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
+    /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64, not 0.
     pub scalar: u32,
     /// 0: corners, offsets and merge are 32-bit unsigned integers.
     pub index: u32,
@@ -100,7 +98,7 @@ pub struct gusset_plugin_mesh {
     /// 0.
     pub reserved: u32,
     /// Representative of each vertex, itself or one that represents itself; NULL: all are separate.
-    /// Vertices with one representative are one, so seams are not borders.
+    /// Vertices with one representative are one, so that seams are not borders.
     pub merge: *const c_void,
 }
 
@@ -112,23 +110,21 @@ versioned! {
     gusset_failure: 48,
 }
 
-/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1; if closed, the last joins the
-/// first.
+/// Polylines. If closed, the last point joins the first.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_curves {
     /// sizeof(gusset_plugin_curves).
     pub struct_size: usize,
-    /// Finite x, y, z at each stride. Outputs are packed 64-bit floats.
+    /// Finite x, y, z. Outputs are packed 64-bit floats.
     pub points: *const c_void,
     /// Stride of points.
     pub point_stride: usize,
     /// At most 2^32 - 2.
     pub point_count: usize,
-    /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without
-    /// curves.
+    /// 32-bit offsets into points, by curve; may be NULL without curves.
     pub offsets: *const c_void,
-    /// For each curve 0 (open) or 1 (closed); NULL: all open.
+    /// For each curve, 1 if closed; NULL: all open.
     pub closed: *const u8,
     /// At most 2^32 - 2.
     pub curve_count: usize,
@@ -152,8 +148,8 @@ pub struct gusset_input {
     pub reserved: u32,
 }
 
-/// Callbacks and settings of a call. Callbacks run on the calling thread. They must not throw, or
-/// pass the call's outputs to the plugin. Texts are valid during the callback.
+/// Callbacks and settings of a call. Callbacks run on the calling thread, with texts valid
+/// meanwhile. They must not throw, or pass the call's outputs to the plugin.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_host {
@@ -163,13 +159,13 @@ pub struct gusset_host {
     pub user: *mut c_void,
     /// Receives the part done, 0 to 1, nondecreasing, at last 1 if the run succeeds, and the
     /// current work; may be NULL. A nonzero return cancels: run ends within 0.1 s for 1,000,000
-    /// input and output faces or points; freeing more memory takes longer.
+    /// input and output faces or points; freeing more takes longer.
     pub progress: Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32>,
     /// Receives remarks that are not failures; may be NULL.
     pub log: Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>,
-    /// 0: all threads of the machine; 1: the calling thread. Results do not depend on it.
+    /// 0: all of the machine; 1: the calling thread. Results do not depend on it.
     pub threads: u32,
-    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS; 0 saves time and memory.
+    /// 1: outputs get origins, with GUSSET_FILTER_ORIGINS; 0 saves time and memory.
     pub origins: u32,
 }
 
@@ -195,7 +191,7 @@ pub struct gusset_param_info {
     pub help: *const c_char,
     /// GUSSET_PARAM_...
     pub kind: u32,
-    /// 3 for points and directions, 4 for planes, else 1.
+    /// Points, directions: 3; planes: 4; else 1.
     pub arity: u32,
     /// Least value of each component.
     pub min: f64,
@@ -203,9 +199,9 @@ pub struct gusset_param_info {
     pub max: f64,
     /// arity values; suggest adapts them to the inputs.
     pub default_values: *const f64,
-    /// Spin box increment; 0: the host decides.
+    /// Spin box increment; 0: the host's choice.
     pub step: f64,
-    /// choice_count choices; NULL unless kind is GUSSET_PARAM_CHOICE.
+    /// NULL unless kind is GUSSET_PARAM_CHOICE.
     pub choices: *const gusset_choice,
     /// Number of choices.
     pub choice_count: u32,
@@ -246,14 +242,14 @@ pub struct gusset_filter {
     pub flags: u32,
     /// Number of parameters.
     pub param_count: u32,
-    /// Values of all parameters, in order.
+    /// Values of all parameters.
     pub value_count: u32,
     /// 0.
     pub reserved: u32,
     /// Returns a parameter by its index.
     pub param: unsafe extern "C" fn(filter: *const gusset_filter, index: u32) -> *const gusset_param_info,
-    /// Writes value_count defaults that suit the inputs, in O(size of the inputs). After a failure,
-    /// writes plain defaults; run tells the reason.
+    /// Writes value_count defaults that suit the inputs, in O(their size). After a failure, writes
+    /// plain defaults; run tells the reason.
     pub suggest: unsafe extern "C" fn(
         filter: *const gusset_filter,
         inputs: *const gusset_input,
@@ -261,8 +257,8 @@ pub struct gusset_filter {
         values: *mut f64,
     ) -> i32,
     /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count;
-    /// suggest gives the rest. outputs: receives the outputs or the reason of a failure; call
-    /// output_free in both cases. *outputs is NULL only if memory ran out.
+    /// suggest gives the rest. outputs: receives the outputs or the reason of a failure, to be
+    /// freed by output_free; NULL only if memory ran out.
     pub run: unsafe extern "C" fn(
         filter: *const gusset_filter,
         host: *const gusset_host,

@@ -28,8 +28,8 @@ use std::panic::catch_unwind;
 use std::ptr;
 
 /// Returns the plugin's tables, or NULL if it cannot serve host_abi, the host's GUSSET_PLUGIN_ABI.
-/// The first call makes the tables; any thread may call it. Nothing needs initialisation or
-/// release. The library stays loaded after dlclose.
+/// The first call makes them; any thread may call it. Nothing needs initialisation or release; the
+/// library stays loaded after dlclose.
 #[unsafe(no_mangle)]
 #[must_use]
 pub extern "C" fn gusset_plugin_entry(host_abi: u32) -> *const gusset_plugin {

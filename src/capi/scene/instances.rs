@@ -12,7 +12,7 @@ use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 
-/// Instance: a path from top level to an entry.
+/// Path from top level to an entry.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_scene_instance {
@@ -34,7 +34,6 @@ fixed! { gusset_scene_instance: 112 }
 /// Writes all instances: each after its group, children in order.
 ///
 /// @param instances receives the instances.
-/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 #[unsafe(no_mangle)]

@@ -1,4 +1,4 @@
-//! Scenes: Nets in nested groups.
+//! Scenes: Nets in nested groups. Parameters called entry, group and child are indices of entries.
 //!
 //! @source Deryagin; groups are our own.
 
@@ -25,7 +25,7 @@ pub const GUSSET_SCENE_NET: gusset_scene_entry_kind = 0;
 /// Group of entries.
 pub const GUSSET_SCENE_GROUP: gusset_scene_entry_kind = 1;
 
-/// Scene: nets in nested groups. Entries may belong to several groups; indices are never reused.
+/// Nets in nested groups. Entries may belong to several groups; indices are never reused.
 pub struct gusset_scene(pub(crate) Scene);
 
 handle! { gusset_scene }
@@ -53,7 +53,7 @@ pub struct gusset_scene_entry_report {
 pub struct gusset_scene_report {
     /// sizeof(gusset_scene_report).
     pub struct_size: usize,
-    /// Instances: paths from top-level entries; at most UINT64_MAX.
+    /// Paths from top-level entries; at most UINT64_MAX.
     pub instances: u64,
     /// Instances of nets.
     pub net_instances: u64,
@@ -61,7 +61,7 @@ pub struct gusset_scene_report {
     pub nets: u32,
     /// Entries that are groups.
     pub groups: u32,
-    /// Entries of the longest path; 0 for an empty scene.
+    /// Entries of the longest path; 0 if empty.
     pub levels: u32,
     /// 0.
     pub reserved: u32,
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
     handle::destroy(scene);
 }
 
-/// Adds a net, as it is now, or an empty group at top level.
+/// Adds a net, as it is now, or an empty group, at top level.
 ///
 /// @param net NULL adds a group.
 /// @param entry receives its index.
@@ -129,11 +129,9 @@ pub unsafe extern "C" fn gusset_scene_add(
 
 /// Appends an entry to a group, perhaps repeatedly.
 ///
-/// @param group the group.
-/// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (also if group is a net), SCENE_CYCLE
-/// @complexity O(1) for a child without children or a top-level group, else O(fewer entries of
-///     those below child and above group).
+/// @complexity O(1) for a child without children or a top-level group, else O(the fewer of entries
+///     below child and above group).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_child(
@@ -147,8 +145,6 @@ pub unsafe extern "C" fn gusset_scene_add_child(
 
 /// Removes the first occurrence of an entry from a group.
 ///
-/// @param group the group.
-/// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (also if child is not in the group)
 /// @complexity O(children of the group + groups of the child).
 #[unsafe(no_mangle)]
@@ -162,9 +158,8 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     guard_changing_call(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove_child(group, child)?))
 }
 
-/// Removes an entry from the scene and its groups; its children stay.
+/// Removes an entry and its places in groups; its children stay.
 ///
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(children of its groups + groups of its children).
 #[unsafe(no_mangle)]
@@ -194,7 +189,7 @@ pub struct gusset_scene_changes {
     pub struct_size: usize,
     /// New net, as it is now; NULL: no change.
     pub net: *const gusset_net,
-    /// New map into its groups' space, finite; NULL: no change.
+    /// New map into its groups' space; NULL: no change.
     pub transform: *const gusset_transform,
     /// Change of visibility.
     pub visibility: gusset_visibility,
@@ -206,7 +201,6 @@ versioned! { gusset_scene_changes: 32 reserved }
 
 /// Changes the net, transform or visibility of an entry.
 ///
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 #[unsafe(no_mangle)]
@@ -236,7 +230,6 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
 
 /// Describes an entry.
 ///
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
 #[unsafe(no_mangle)]
 #[must_use]
@@ -263,7 +256,6 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
 
 /// Makes a handle of an entry's net, which shares memory until changed.
 ///
-/// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT (also for a group)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -281,9 +273,7 @@ pub unsafe extern "C" fn gusset_scene_net_create(
 
 /// Writes the entries of a group, in order.
 ///
-/// @param group the group.
 /// @param children receives the entries.
-/// @param written receives the count.
 /// @errors NO_SUCH_ELEMENT (also for a net), BUFFER_TOO_SMALL
 /// @complexity O(children).
 #[unsafe(no_mangle)]

@@ -23,10 +23,9 @@ pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 
 /// Choice of the levels that coordinates are rounded to.
 pub type gusset_stream_levels = u32;
-/// Levels of the net's bounding box, or a coarser step that its coordinates already have.
+/// Levels of the net's box, or a coarser step that its coordinates already have.
 pub const GUSSET_LEVELS_AUTO: gusset_stream_levels = 0;
-/// Levels of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in
-/// the nodes that they share.
+/// Levels of the box from low to high. Shared nodes of tiles with equal boxes stay equal.
 pub const GUSSET_LEVELS_GIVEN: gusset_stream_levels = 1;
 
 /// Options of gusset_net_encode_create.
@@ -35,25 +34,25 @@ pub const GUSSET_LEVELS_GIVEN: gusset_stream_levels = 1;
 pub struct gusset_stream_options {
     /// sizeof(gusset_stream_options).
     pub struct_size: usize,
-    /// Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
+    /// Rows of each independent block; 0: about 2^17 nodes, or all for RAW.
     pub rows_per_block: usize,
     /// Storage of coordinates in a stream.
     pub mode: gusset_stream_mode,
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     pub bits: u32,
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
+    /// QUANTISED. 1: each axis has its own step; 0: the longest extent's. Else 0.
     /// @flag
     pub per_axis: u32,
     /// QUANTISED: choice of the levels. Else 0.
     pub levels: gusset_stream_levels,
-    /// Smallest coordinates of all tiles, finite: level 0.
+    /// Smallest coordinates of all tiles: level 0.
     /// @when levels GUSSET_LEVELS_GIVEN
     pub low: [f64; 3],
     /// Largest coordinates of all tiles, at least low.
     /// @when levels GUSSET_LEVELS_GIVEN
     pub high: [f64; 3],
-    /// Distance of levels on all axes, above 0; bits becomes the least number that reaches across
-    /// the box, and must be 0. 0: the distance follows from bits.
+    /// Distance of levels on all axes, above 0; bits must be 0 and becomes the least number that
+    /// spans the box. 0: follows from bits.
     /// @when levels GUSSET_LEVELS_GIVEN
     pub step: f64,
 }
@@ -74,8 +73,8 @@ pub struct gusset_stream_report {
     pub prelude_size: u64,
     /// QUANTISED: level 0; level k is at origin + k * step. Else 0.
     pub origin: [f64; 3],
-    /// QUANTISED: distance of levels; coordinates are off by at most step / 2 and half a unit in
-    /// the last place. Else 0.
+    /// QUANTISED: distance of levels; errors are at most step / 2 and half a unit in the last
+    /// place. Else 0.
     pub step: [f64; 3],
     /// Type of coordinates.
     pub scalar: gusset_scalar,
@@ -104,7 +103,7 @@ pub struct gusset_stream_view {
     pub size: usize,
 }
 
-/// Decoder of a stream that arrives in pieces.
+/// Decoder of a stream in pieces.
 pub struct gusset_stream_decoder(StreamDecoder);
 
 handle! { gusset_stream_decoder }
@@ -147,12 +146,12 @@ impl gusset_stream_options {
 
 /// Encodes a net as a stream: coordinates, gluing and bridges.
 ///
-/// - QUANTISED and LOSSLESS store one node of each glued point, whose bits decoding repeats;
-///   LOSSLESS stores all if bits differ.
+/// - QUANTISED and LOSSLESS store one node of each glued point, which decoding repeats; LOSSLESS
+///   stores all if bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
 ///
-/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double; low,
-///     high or step; a node outside the box)
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of DBL_MAX; low, high or
+///     step; a node outside the box)
 /// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -191,7 +190,6 @@ pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
 /// Reads the header of a stream.
 ///
 /// @param data the first 128 bytes or more.
-/// @param size bytes.
 /// @errors BAD_STREAM (byte)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -230,7 +228,6 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 /// Damaged and malicious streams do no harm: memory is at most 4096 nodes, or 96 KiB, a byte.
 ///
 /// @param data the whole stream.
-/// @param size bytes.
 /// @param node_limit most nodes, checked before allocation; 0: no limit.
 /// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(nodes), parallel by blocks.
@@ -252,7 +249,7 @@ pub unsafe extern "C" fn gusset_net_decode_create(
 
 /// Makes a decoder.
 ///
-/// @param node_limit most nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
+/// @param node_limit most nodes; 0: INT32_MAX. Memory is allocated before the stream is complete.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -269,11 +266,10 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
 
 /// Passes the next bytes to a decoder.
 ///
-/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and further calls return
-/// it.
+/// After OUT_OF_MEMORY the decoder is unchanged; other errors are final, and further calls return
+/// them.
 ///
 /// @param data any number of bytes.
-/// @param size bytes.
 /// @param rows_done receives the count of complete rows, or NULL.
 /// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(bytes + nodes of completed blocks).
@@ -295,7 +291,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     })
 }
 
-/// Makes a preview of the complete rows: a net without gluing and bridges.
+/// Makes a net of the complete rows, without gluing and bridges.
 ///
 /// @errors NET_TOO_SMALL (fewer than two complete rows)
 /// @complexity O(nodes).

@@ -32,7 +32,7 @@ pub struct gusset_surface_cells {
 
 handle! { gusset_surface_cells }
 
-/// Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0.
+/// Lent cells. Regions lack `others`; pairs lack the fields below it.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_cells_view {
@@ -50,8 +50,8 @@ pub struct gusset_surface_cells_view {
     /// @shape cell_count
     /// @flag
     pub whole: *const u32,
-    /// A bit for each cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b =
-    /// first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
+    /// A bit a cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k] +
+    /// i * c + j: mask[b / 64] >> (b % 64) & 1.
     /// @shape word_count
     pub mask: *const u64,
     /// Words of the mask.
@@ -66,12 +66,11 @@ pub struct gusset_surface_cells_view {
 versioned! { gusset_surface_cells_view: 72 }
 fixed! { gusset_surface_cell: 12 }
 
-/// Finds the cells that have a point within a radius of a query.
+/// Finds the cells with a point within a radius of a query.
 ///
-/// No cell is missed; a cell may lie outside by the tolerance, or more if bounded work cannot
-/// decide.
+/// No cell is missed; some lie outside by the tolerance, or more if bounded work cannot decide.
 ///
-/// @param query up to 1e150.
+/// @param query a point.
 /// @param radius at least 0; INFINITY: all cells.
 /// @errors NOT_FINITE, OUT_OF_RANGE (radius, query)
 /// @complexity O(cells found), and one bit a cell.
@@ -99,13 +98,13 @@ pub unsafe extern "C" fn gusset_surface_region_create(
     })
 }
 
-/// Finds the pairs of cells of two surfaces that may be within a distance of each other.
+/// Finds the pairs of cells of two surfaces that may be within a distance.
 ///
 /// No pair is missed; a few may be farther apart.
 ///
-/// @param within a length, finite; 0: cells that may meet.
+/// @param within 0: cells that may meet.
 /// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
-/// @complexity Proportional to the pairs and the index levels; 24 bytes a pair.
+/// @complexity Proportional to pairs and index levels; 24 bytes a pair.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cell_pairs_create(

@@ -12,12 +12,12 @@ use glam::DVec3;
 pub type gusset_spacing_rule = u32;
 /// Points on the surface that keep chords within 1e-4 of its box diagonal.
 pub const GUSSET_POINT_SPACING_AUTO: gusset_spacing_rule = 0;
-/// Points on the surface that keep chords within `chord`, sampled at the middle and quarters.
-/// Larger distances are possible where nodes are far apart.
+/// Points on the surface that keep chords within `chord` at the middle and quarters; larger
+/// distances are possible where nodes are far apart.
 pub const GUSSET_POINT_SPACING_CHORD: gusset_spacing_rule = 1;
 /// No points.
 pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_spacing_rule = 2;
-/// `points` points on the cubic through four crossings, near the surface. Each has the place of the
+/// `points` points on the cubic through four crossings, near the surface, with the place of the
 /// crossing before. Fourth order where crossings are evenly spaced.
 pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 
@@ -27,7 +27,7 @@ pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 pub struct gusset_contour_options {
     /// sizeof(gusset_contour_options).
     pub struct_size: usize,
-    /// A length above 0, finite; at least the surface's tolerance applies.
+    /// Above 0; at least the surface's tolerance applies.
     /// @when spacing GUSSET_POINT_SPACING_CHORD
     pub chord: f64,
     /// Curve points between crossings with cell sides.
@@ -39,7 +39,7 @@ pub struct gusset_contour_options {
 
 /// The function whose contours are drawn.
 pub type gusset_contour_kind = u32;
-/// Signed distance from the plane through `point` with the normal `direction`: sections by parallel
+/// Signed distance from the plane through `point` with normal `direction`: sections by parallel
 /// planes.
 pub const GUSSET_CONTOUR_HEIGHT: gusset_contour_kind = 0;
 /// Values at cell corners, interpolated like the surface.
@@ -48,7 +48,7 @@ pub const GUSSET_CONTOUR_VALUES: gusset_contour_kind = 1;
 /// `direction`.
 pub const GUSSET_CONTOUR_ANGLE: gusset_contour_kind = 2;
 
-/// A function on a surface. Only the fields of its kind are read; they name it without prefix.
+/// A function on a surface. Fields name the kind that reads them, without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_contour_function {
@@ -56,14 +56,14 @@ pub struct gusset_contour_function {
     pub struct_size: usize,
     /// The function whose contours are drawn.
     pub kind: gusset_contour_kind,
-    /// ANGLE. 1: a normal and its opposite are equal.
+    /// ANGLE. 1: opposite normals are equal.
     pub unsigned_normals: u32,
     /// HEIGHT: a point at height 0.
     pub point: [f64; 3],
-    /// HEIGHT, ANGLE: not 0.
+    /// HEIGHT, ANGLE.
     pub direction: [f64; 3],
-    /// VALUES: finite, sheet after sheet, row after row, (rows + 1) x (columns + 1) a sheet. A
-    /// closing line is not read.
+    /// VALUES: sheet after sheet, row after row, (rows + 1) x (columns + 1) each. A closing line is
+    /// not read.
     pub values: *const f64,
     /// Number of values.
     pub value_count: usize,
@@ -83,9 +83,9 @@ pub struct gusset_nearest_angle_report {
     pub normal: [f64; 3],
     /// Angle between normal and direction.
     pub angle: f64,
-    /// Difference from the given angle; infinite, and all else 0, if the surface lacks normals.
+    /// Difference from the given angle; infinite, all else 0, if the surface lacks normals.
     pub deviation: f64,
-    /// Lower bound of all deviations, within 1e-9 of `deviation` unless the proof fails.
+    /// Lower bound of all deviations, within 1e-9 of it unless the proof fails.
     pub bound: f64,
 }
 
@@ -104,30 +104,28 @@ pub(crate) fn to_point_spacing(spacing: gusset_spacing_rule, chord: f64, points:
 
 /// Draws contours of a function.
 ///
-/// Curves are ordered by level, then by lowest cell. Seen against the normals, the function
-/// increases to the left of a curve (angles decrease): a section runs along direction x normal.
+/// Curves are ordered by level, then lowest cell. Seen against the normals, the function increases
+/// to the left (angles decrease): sections run along direction x normal.
 ///
-/// Every curve is found, even within one cell; curves up to the tolerance in size are unresolved.
-/// On a closed surface all curves are closed.
+/// Every curve is found, even within a cell; those within the tolerance in size are unresolved. On
+/// closed surfaces all are closed.
 ///
-/// Sections: a corner on a plane counts as above it.
-/// - A plane that touches corners from below gives neither a curve nor an unresolved cell.
-/// - A plane that touches from above gives closed curves round the contact, however narrow: there
-///   and back along a row of corners.
-/// - Where a plane touches or contains the surface elsewhere within rounding, cells are unresolved.
+/// Sections: corners on a plane count as above it.
+/// - A plane that touches corners from below gives nothing.
+/// - One that touches from above gives closed curves round the contact, however narrow: there and
+///   back along rows of corners.
+/// - Where one touches or contains the surface elsewhere within rounding, cells are unresolved.
 ///
 /// Isophotes:
-/// - At the angles 0 and pi, paths are single points.
-/// - Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves follow the common
-///   side.
+/// - At angles 0 and pi, paths are single points.
+/// - Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves follow sides.
 /// - Poles that may have the angle are unresolved.
-/// - Angles are accurate to third order; GUSSET_CONTOUR_VALUES of their cosines, to fourth.
+/// - Angles are third-order; GUSSET_CONTOUR_VALUES of cosines, fourth-order.
 ///
-/// @param levels rising values; angles 0 to pi, or to pi / 2 for unsigned normals.
+/// @param levels rising; angles 0 to pi, or pi/2 for unsigned normals.
 /// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels, angle, chord, points),
-///     COUNT_DIFFERS (too few values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
-/// @complexity About O(count + crossed cells), parallel; O(values) for values; O(cells) once for
-///     angles.
+///     COUNT_DIFFERS (values), TOO_LARGE (values; 2^32 points), NOT_FINITE (value)
+/// @complexity About O(count + crossed cells), parallel; values: O(values); angles: O(cells) once.
 /// @source Leus, tasks b and d.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -164,11 +162,11 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     })
 }
 
-/// Finds the normal whose angle with a direction is nearest to a given one, proved to 1e-9.
+/// Finds the normal with the angle to a direction nearest to a given one, proved to 1e-9.
 ///
-/// @param direction not 0.
-/// @param angle 0 to pi, or to pi / 2 for unsigned normals.
-/// @param unsigned_normals 1: a normal and its opposite are equal.
+/// @param direction where angles are 0.
+/// @param angle 0 to pi, or pi/2 for unsigned normals.
+/// @param unsigned_normals 1: opposite normals are equal.
 /// @errors OUT_OF_RANGE
 /// @complexity About O(cells with normals near the angle), parallel; O(cells) once.
 /// @source Leus, task b.

@@ -17,14 +17,13 @@ pub const GUSSET_ALONG_ROWS: gusset_sheet_direction = 0;
 /// Along columns: v is constant.
 pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 
-/// Draws a curve through points as sheets through nodes: fourth-order, a cubic between adjacent
-/// points.
+/// Draws a curve through points, fourth-order, a cubic between neighbours.
 ///
-/// @param nodes finite; at least 2. If closed: at least 4, and the last repeats the first.
+/// @param nodes at least 2; closed at least 4, the last repeating the first.
 /// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source V. Leus (see the README).
+/// @source V. Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through_create(
@@ -43,7 +42,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
 
 /// Makes an exact coordinate curve of a sheet, one segment a cell.
 ///
-/// @param parameter the constant u or v, 0 to the number of cells in its direction.
+/// @param parameter the constant u or v, 0 to the cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)
 /// @complexity O(cells along the curve).
 #[unsafe(no_mangle)]
@@ -67,13 +66,13 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
 
 /// Finds where a curve meets a line, or comes within a distance of it.
 ///
-/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches, else the
-/// minima of distance, each once. `others` have segment 0 and the line's parameter as t.
+/// The result has minima of distance, or, if within is 0 and both lie in the plane z = 0, crossings
+/// and touches, each once. `others` have segment 0 and the line's parameter as t.
 ///
-/// @param within a length, finite; in space raised to 1e-12 of the curve's size.
-/// @param places overlaps are parts that stay within the distance or cannot be separated.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line not finite or without direction)
-/// @complexity Bounded for each segment whose box meets the line.
+/// @param within largest distance; in space raised to 1e-12 of the curve's size.
+/// @param places overlaps stay within the distance or cannot be separated.
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; line not finite or without direction)
+/// @complexity Bounded for segments whose boxes meet the line.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_line_create(

@@ -22,7 +22,7 @@ pub const GUSSET_TARGET_CURVE: gusset_target_kind = 2;
 /// The surface `surface`.
 pub const GUSSET_TARGET_SURFACE: gusset_target_kind = 3;
 
-/// An object to measure from. Only the fields of its kind are read; they name it without prefix.
+/// An object to measure from. Fields name the kind that reads them, without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_target {
@@ -34,11 +34,11 @@ pub struct gusset_target {
     pub reserved: u32,
     /// LINE.
     pub line: gusset_line,
-    /// PLANE: -1e150 to 1e150.
+    /// PLANE.
     pub point: [f64; 3],
-    /// PLANE: not 0.
+    /// PLANE.
     pub normal: [f64; 3],
-    /// CURVE: any degree; coordinates -1e150 to 1e150.
+    /// CURVE.
     pub curve: *const gusset_curve,
     /// SURFACE.
     pub surface: *const gusset_surface,
@@ -47,8 +47,8 @@ pub struct gusset_target {
 /// Properties of a distance.
 /// @bits
 pub type gusset_distance_flags = u32;
-/// `bound` is within the tolerance of the distance, or within 2^-45 of the greatest coordinate. Not
-/// set: the proof takes too long; `bound` holds.
+/// `bound` is within the tolerance of the distance, or 2^-45 of the greatest coordinate. Else the
+/// proof takes too long; `bound` holds.
 pub const GUSSET_DISTANCE_PROVEN: gusset_distance_flags = 1;
 /// Surface and target meet up to rounding; the distance is 0.
 pub const GUSSET_DISTANCE_MEETS: gusset_distance_flags = 2;
@@ -63,7 +63,7 @@ pub struct gusset_distance_report {
     pub place: gusset_surface_place,
     /// The surface's point.
     pub point: [f64; 3],
-    /// Unit normal at `point`; at a pole its limit; 0 if undefined.
+    /// Unit normal; at a pole its limit; 0 if undefined.
     pub normal: [f64; 3],
     /// The target's point.
     pub other_point: [f64; 3],
@@ -71,12 +71,11 @@ pub struct gusset_distance_report {
     pub distance: f64,
     /// Proved lower bound of the distance.
     pub bound: f64,
-    /// SURFACE: place of its point; else 0.
+    /// SURFACE: its place; else 0.
     pub other_place: gusset_surface_place,
-    /// CURVE: place of its point; else 0.
+    /// CURVE: its place; else 0.
     pub curve_place: gusset_place,
-    /// LINE: parameter of its point. PLANE: signed distance, negative opposite to its normal. Else
-    /// 0.
+    /// LINE: its parameter. PLANE: signed distance, negative opposite to the normal. Else 0.
     pub parameter: f64,
     /// Properties of a distance.
     pub flags: gusset_distance_flags,
@@ -109,13 +108,12 @@ impl gusset_distance_report {
 
 /// Finds the nearest points of a surface and a target.
 ///
-/// Among equally near pairs, the choice is deterministic. If much of the surface is equally near,
-/// the proof may fail. If a plane meets the surface, the points lie on the section.
+/// Among equally near pairs, the choice is deterministic. If much is equally near, the proof may
+/// fail. If a plane meets the surface, the points lie on the section.
 ///
-/// @param tolerance length to which the distance is proved, finite; 0: the surface's, or the
-///     greater of two.
-/// @errors OUT_OF_RANGE (tolerance; `line`; a plane not finite, too large or without direction; a
-///     curve too large), EMPTY_CURVE
+/// @param tolerance length to which the distance is proved; 0: the surface's, or the greater of
+///     two.
+/// @errors OUT_OF_RANGE (tolerance; line; plane; curve too large), EMPTY_CURVE
 /// @complexity About O(log cells), at most 50,000 pairs of pieces.
 /// @source Leus, tasks c to e.
 #[unsafe(no_mangle)]

@@ -15,10 +15,10 @@ pub type gusset_normal_kind = u32;
 pub const GUSSET_NORMAL_NONE: gusset_normal_kind = 0;
 /// Normal of the tangent plane.
 pub const GUSSET_NORMAL_REGULAR: gusset_normal_kind = 1;
-/// Limit along the coordinate line where the tangents span no plane, as at poles.
+/// Limit along the coordinate line where tangents span no plane, as at poles.
 pub const GUSSET_NORMAL_LIMIT: gusset_normal_kind = 2;
 
-/// Point, derivatives by the cell's parameters, normal and curvatures at a place.
+/// Point, derivatives by the cell's parameters, normal and curvatures.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_point {
@@ -36,9 +36,9 @@ pub struct gusset_surface_point {
     pub vv: [f64; 3],
     /// Unit normal along S_u x S_v; 0 if undefined.
     pub normal: [f64; 3],
-    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
+    /// GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
     pub spread: f64,
-    /// Principal curvatures, the greater first; positive if bent towards the normal.
+    /// Principal curvatures, greater first; positive if bent towards the normal.
     pub principal: [f64; 2],
     /// Principal directions: two unit tangents.
     /// @shape 2 3
@@ -97,8 +97,8 @@ pub(crate) fn read_surface_places(data: *const gusset_surface_place, count: usiz
 
 /// Evaluates a surface at places.
 ///
-/// @param results receives count points; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (place: no such sheet or cell, or a parameter outside 0 to 1)
+/// @param results receives count points; 0 after an error.
+/// @errors NO_SUCH_ELEMENT (place; also a parameter outside 0 to 1)
 /// @complexity O(1) a place, at a pole O(cells round it); parallel.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -119,14 +119,14 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     })
 }
 
-/// Converts parameters of a sheet to places: node (i, j) has u = i and v = j.
+/// Converts a sheet's parameters to places; node (i, j) has u = i, v = j.
 ///
-/// Parameters wrap round in closed directions, and are clamped to open sides.
+/// Parameters wrap round closed directions, and are clamped to open sides.
 ///
 /// @param sheet index.
 /// @param parameters u, v of each place.
-/// @param places receives count places; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if no such sheet)
+/// @param places receives count places; 0 after an error.
+/// @errors NO_SUCH_ELEMENT (first pair that is not finite; pair 0: no such sheet)
 /// @complexity O(1) a place.
 #[unsafe(no_mangle)]
 #[must_use]

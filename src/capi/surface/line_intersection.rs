@@ -12,17 +12,17 @@ use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line, Lines
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// A line, ray or segment: origin + t * direction for t from `from` to `to`.
+/// A line, ray or segment: origin + t * direction, `from` <= t <= `to`.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_line {
-    /// Point at t = 0; -1e150 to 1e150.
+    /// Point at t = 0.
     pub origin: [f64; 3],
-    /// The squared length must not underflow or overflow: 1e-150 to 1e150 is safe.
+    /// Its squared length must not under- or overflow: 1e-150 to 1e150 is safe.
     pub direction: [f64; 3],
-    /// Least t: -INFINITY for a line, 0 for a ray or segment; not INFINITY.
+    /// Least t: -INFINITY for a line, 0 for a ray or segment.
     pub from: f64,
-    /// Greatest t: INFINITY for a line or ray; at least `from`, not -INFINITY.
+    /// Greatest t: INFINITY for a line or ray; at least `from`.
     pub to: f64,
 }
 
@@ -41,7 +41,7 @@ pub type gusset_hit_kind = u32;
 pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
 /// It passes through the surface. Proved, except at poles.
 pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
-/// It touches within the tolerance, in one point, two close points, or none.
+/// It touches within the tolerance, in one point, two close ones, or none.
 pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
 /// It runs in the surface within the tolerance, over the whole span.
 pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
@@ -50,9 +50,9 @@ pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_hit {
-    /// Parameter on the line; for a curve, segment + parameter in it.
+    /// Parameter on the line; on a curve, segment + its parameter.
     pub t: f64,
-    /// Parameters between which both agree within the tolerance; at a crossing, t twice.
+    /// Parameters between which both agree within the tolerance; crossings: t twice.
     pub span: [f64; 2],
     /// Place on the surface.
     pub place: gusset_surface_place,
@@ -81,17 +81,17 @@ handle! { gusset_surface_hits }
 pub struct gusset_surface_hits_view {
     /// sizeof(gusset_surface_hits_view).
     pub struct_size: usize,
-    /// Queries: the lines, then the curve if given.
+    /// Lines, and the curve if given.
     pub query_count: usize,
     /// Number of hits.
     pub hit_count: usize,
-    /// Query k has the hits ends[k] to ends[k + 1] - 1.
+    /// Offsets into hits, by query.
     /// @shape query_count+1
     pub ends: *const u64,
     /// The hits, by rising t in each query.
     /// @shape hit_count
     pub hits: *const gusset_surface_hit,
-    /// For each hit of the curve, places of hit, start and end of span. Else NULL.
+    /// Curve: for each hit, places of hit, start and end of span.
     /// @shape on_curve_count/3 3
     pub on_curve: *const gusset_place,
     /// Number of places on the curve.
@@ -132,15 +132,15 @@ c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST =>
 
 /// Finds the hits of lines and a curve on a surface.
 ///
-/// No hit is missed or repeated, also at sides of cells and sheets, joints of the curve and poles.
-/// Hits of a line do not depend on others.
+/// No hit is missed or repeated, also at sides of cells and sheets, joints and poles. A line's hits
+/// do not depend on others.
 ///
 /// @param lines NULL: none.
 /// @param curve of degree 7 at most; NULL: none.
-/// @errors OUT_OF_RANGE (a line not finite, without direction, or ending before it begins; degree),
+/// @errors OUT_OF_RANGE (line not finite, without direction, or ending before it begins; degree),
 ///     EMPTY_CURVE
-/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each
-///     cell that a line runs in. Parallel.
+/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit, bounded in cells
+///     that a line runs in; parallel.
 /// @source Leus, task c.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -175,9 +175,9 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
     })
 }
 
-/// Finds the first hit, of least t, of each line.
+/// Finds each line's first hit, of least t.
 ///
-/// @param hits receives count hits; without a hit, or after an error, GUSSET_HIT_NONE and 0.
+/// @param hits receives count hits; GUSSET_HIT_NONE and 0 without one, or after an error.
 /// @errors as gusset_surface_hits_create
 /// @complexity About O(log cells) a line; parallel.
 #[unsafe(no_mangle)]

@@ -1,4 +1,5 @@
-//! Surfaces: Smooth surfaces that answer queries from an index.
+//! Surfaces: Smooth surfaces that answer queries from an index. Coordinates of queries, lines and
+//! targets are -1e150 to 1e150.
 //!
 //! @source Leus, "Carcasses on smooth surfaces".
 
@@ -41,11 +42,11 @@ pub struct gusset_surface_sheet {
     pub rows: usize,
     /// Columns of cells, in v.
     pub columns: usize,
-    /// Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i *
-    /// columns + j: its bit in masks of gusset_surface_cells_view.
+    /// Number of cell (0, 0) among all sheets' cells; cell (i, j) is first_cell + i * columns + j,
+    /// its bit in region masks.
     pub first_cell: u64,
     /// Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset
-    /// of its values for GUSSET_CONTOUR_VALUES.
+    /// of values for GUSSET_CONTOUR_VALUES.
     pub first_node: u64,
     /// 1: closed in u.
     /// @flag
@@ -67,17 +68,17 @@ pub struct gusset_surface_place {
     pub column: u32,
     /// 0.
     pub reserved: u32,
-    /// Parameter in the cell, 0 to 1; the sheet's parameter is row + u.
+    /// Parameter in the cell, 0 to 1; the sheet's is row + u.
     pub u: f64,
-    /// Parameter in the cell, 0 to 1; the sheet's parameter is column + v.
+    /// Parameter in the cell, 0 to 1; the sheet's is column + v.
     pub v: f64,
 }
 
 /// How two surfaces touch.
 pub type gusset_contact_kind = u32;
-/// They touch in a point. Round it they are apart, or overlap by at most the tolerance.
+/// They touch in a point, apart round it or overlapping within the tolerance.
 pub const GUSSET_CONTACT_POINT: gusset_contact_kind = 1;
-/// Two branches of the intersection cross, or pass each other within the tolerance.
+/// Two branches cross, or pass each other within the tolerance.
 pub const GUSSET_CONTACT_CROSSING: gusset_contact_kind = 2;
 
 /// A point where surfaces touch within the tolerance, with parallel normals.
@@ -88,10 +89,10 @@ pub struct gusset_surface_contact {
     pub place: gusset_surface_place,
     /// Place on the second surface.
     pub other: gusset_surface_place,
-    /// Height of the first surface above the second, along the first's normal.
+    /// Height of the first above the second, along the first's normal.
     pub gap: f64,
-    /// Near the contact, points within the tolerance of the other surface lie this near, except on
-    /// crossing branches.
+    /// Near it, points within the tolerance of the other surface lie this near, except on crossing
+    /// branches.
     pub radius: f64,
     /// How two surfaces touch.
     pub kind: gusset_contact_kind,
@@ -105,11 +106,10 @@ pub struct gusset_surface_contact {
 pub struct gusset_surface_options {
     /// sizeof(gusset_surface_options).
     pub struct_size: usize,
-    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of
-    /// the surface's box diagonal.
+    /// Guaranteed accuracy of distances and positions. 0: 1e-9 of the surface's box diagonal.
     pub tolerance: f64,
-    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0:
-    /// the first such query builds them.
+    /// 1: builds cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the
+    /// first such query does.
     /// @flag
     pub cones: u32,
     /// 0.
@@ -141,33 +141,33 @@ pub struct gusset_surface_paths_view {
     pub path_count: usize,
     /// Number of points.
     pub point_count: usize,
-    /// Curve k has the points ends[k] to ends[k + 1] - 1.
+    /// Offsets into points, by curve.
     pub ends: gusset_indices,
-    /// By curve: 1 if closed. Append the first point for gusset_curve_through_create.
+    /// By curve: 1 if closed; append the first point for gusset_curve_through_create.
     /// @shape path_count
     /// @flag
     pub closed: *const u32,
     /// By curve: index of its plane, level or angle, or 0.
     /// @shape path_count
     pub levels: *const u32,
-    /// The points, on the surface.
+    /// On the surface.
     /// @shape point_count 3
     pub points: *const f64,
-    /// Unit normal at each point; 0 where undefined.
+    /// Unit normals; 0 where undefined.
     /// @shape point_count 3
     pub normals: *const f64,
     /// Places of the points.
     /// @shape point_count
     pub places: *const gusset_surface_place,
-    /// Intersections: places on the second surface; else NULL.
+    /// Intersections: places on the second surface.
     /// @shape point_count
     pub others: *const gusset_surface_place,
-    /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
+    /// Cells that may hold tangencies, coincidences, or pieces below the tolerance.
     /// @shape unresolved_count
     pub unresolved: *const gusset_surface_place,
     /// Number of unresolved cells.
     pub unresolved_count: usize,
-    /// Intersections: points where the surfaces touch.
+    /// Intersections: points where surfaces touch.
     /// @shape contact_count
     pub contacts: *const gusset_surface_contact,
     /// Number of contacts.
@@ -238,12 +238,12 @@ fn sheets_of_handles(handles: *const *const gusset_sheet, count: usize) -> Resul
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
 }
 
-/// Makes a surface of sheets, and its index.
+/// Makes a surface of sheets.
 ///
-/// Each sheet's greatest absolute coordinate, control points included, is 0 or from 1e-30 to 1e37.
+/// Each sheet's greatest absolute coordinate, of controls also, is 0 or 1e-30 to 1e37.
 ///
-/// @param sheets count handles, none NULL.
-/// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance; coordinates of a sheet)
+/// @param sheets none NULL.
+/// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance, coordinates)
 /// @complexity O(nodes), parallel; about 7 bytes a node, and 0.7 for cones.
 #[unsafe(no_mangle)]
 #[must_use]

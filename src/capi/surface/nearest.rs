@@ -14,13 +14,12 @@ use gusset_base::alloc;
 /// Properties of a nearest point.
 /// @bits
 pub type gusset_nearest_flags = u32;
-/// A point was found. Not set: no point within the limit; distance and bound are infinite, all else
-/// 0.
+/// A point was found. Else none is within the limit; distance and bound are infinite, the rest 0.
 pub const GUSSET_NEAREST_FOUND: gusset_nearest_flags = 1;
-/// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes
-/// too long, as near centres of curvature; `bound` holds.
+/// `bound` is within the tolerance of the distance, or rounding. Else the proof takes too long, as
+/// near centres of curvature; `bound` holds.
 pub const GUSSET_NEAREST_PROVEN: gusset_nearest_flags = 2;
-/// Another point, farther away than 1/100 of the distance, is equally near within the tolerance.
+/// A point farther away than 1/100 of the distance is equally near within the tolerance.
 pub const GUSSET_NEAREST_AMBIGUOUS: gusset_nearest_flags = 4;
 
 /// A surface point near a query.
@@ -36,7 +35,7 @@ pub struct gusset_surface_nearest_point {
     pub normal: [f64; 3],
     /// Distance from the query.
     pub distance: f64,
-    /// Lower bound of the distance from the surface; for minima, from the piece round the point.
+    /// Lower bound of the distance from the surface (minima: from the piece round the point).
     pub bound: f64,
     /// Properties of a nearest point.
     pub flags: gusset_nearest_flags,
@@ -50,7 +49,7 @@ pub struct gusset_surface_nearest_point {
 pub struct gusset_nearest_options {
     /// sizeof(gusset_nearest_options).
     pub struct_size: usize,
-    /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
+    /// Largest distance; 0 or INFINITY: no limit.
     pub limit: f64,
     /// Minima: most, nearest first; 0: all.
     pub max_count: usize,
@@ -118,13 +117,12 @@ impl gusset_nearest_options {
 
 /// Finds the nearest point for each query.
 ///
-/// Among equally near points, the first by sheet, row and column is returned. Answers do not depend
-/// on other queries.
+/// Gives the first of equally near points by sheet, row, column, independent of other queries.
 ///
-/// @param queries up to 1e150.
-/// @param points receives count answers in order; after an error, none is found.
+/// @param queries points.
+/// @param points receives count answers; after an error, none is found.
 /// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit, query)
-/// @complexity O(log nodes) a query, parallel; more near centres of curvature, but bounded.
+/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
 /// @source Leus, task a.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -151,11 +149,11 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 
 /// Finds the local minima of the distance from a query.
 ///
-/// No minimum is missed. If the distance is constant, one point represents all cells that touch
-/// there, GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path
-/// on the surface leads nearer.
+/// No minimum is missed. If the distance is constant, one point represents all touching cells,
+/// GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path leads
+/// nearer.
 ///
-/// @param query up to 1e150.
+/// @param query a point.
 /// @param points receives the minima.
 /// @errors NOT_FINITE, OUT_OF_RANGE (limit, query)
 /// @complexity O(cells within the limit, or up to the last of max_count minima).

@@ -18,11 +18,11 @@ pub struct gusset_surface_report {
     pub cell_count: usize,
     /// Corners of cells; nodes of sheets from nodes.
     pub node_count: usize,
-    /// Bytes of the index, without nodes and cones of normals.
+    /// Bytes of the index, without nodes and cones.
     pub index_bytes: usize,
     /// Guaranteed accuracy, as in gusset_surface_options.
     pub tolerance: f64,
-    /// Low corner of a box round surface and control nets.
+    /// Low corner of a box round surface and controls.
     pub low: [f64; 3],
     /// High corner.
     pub high: [f64; 3],

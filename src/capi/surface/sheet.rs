@@ -19,17 +19,16 @@ use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch.
+/// Rows and columns of cells, each a Bézier patch.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
 handle! { gusset_sheet }
 
 /// Interpolation through nodes.
 pub type gusset_scheme = u32;
-/// Bicubic from 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
+/// Bicubic from 6 x 6 nodes round a cell: fourth order, constant 1/384, continuous tangents.
 pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
-/// Leus's bicubic through 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at
-/// nodes.
+/// Leus's bicubic through 4 x 4 nodes: fourth order, constant 3/128, tangents jump at nodes.
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
 
 /// Source of the twists S_uv at nodes.
@@ -44,7 +43,7 @@ pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
 pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
 
 /// Nodes of a surface. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals
-/// point along S_u x S_v, u running from row to row: opposite to a net of these nodes.
+/// point along S_u x S_v, u running from row to row: opposite to a net's.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_nodes {
@@ -52,13 +51,13 @@ pub struct gusset_nodes {
     pub struct_size: usize,
     /// The first node.
     pub nodes: *const c_void,
-    /// At least 2; if closed in u, at least 4, and the last repeats the first.
+    /// At least 2; closed at least 4, the last repeating the first.
     pub rows: usize,
-    /// Likewise in v. rows * columns is at most 2^31 - 1.
+    /// Likewise; rows * columns at most INT32_MAX.
     pub columns: usize,
-    /// Bytes from row to row; 0: no gaps.
+    /// Stride of rows.
     pub row_stride: usize,
-    /// Bytes from node to node in a row; 0: no gaps.
+    /// Stride of nodes in a row.
     pub column_stride: usize,
     /// Type of coordinates.
     pub scalar: gusset_scalar,
@@ -193,18 +192,17 @@ fn sheet_with_tangents(
 ///
 /// Repeated nodes and poles are allowed.
 ///
-/// Borrowed nodes are f64, with address and strides that are multiples of 8. They must stay valid
-/// and unchanged until the sheet and everything made of it are destroyed.
+/// Borrowed nodes are f64, address and strides multiples of 8. They stay unchanged until the sheet
+/// and all made of it are destroyed.
 ///
 /// @param nodes finite.
-/// @param tangents NULL: the nodes' scheme applies. Else rows x columns finite vectors in each
-///     array; a repeated closing line is not used.
-/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents, the sheet keeps only
-///     patches.
+/// @param tangents NULL: the nodes' scheme applies. Else rows x columns vectors an array; a
+///     repeated closing line is not used.
+/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents, only patches are kept.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or
-///     twist), SIDES_DIFFER (closed, but the ends differ; with the largest gap)
+///     twist), SIDES_DIFFER (closed, but ends differ: largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source V. Leus (see the README).
+/// @source V. Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(

@@ -1,5 +1,5 @@
 //! Other sheets: Sheets from patches, B-splines (NURBS included), nets of curves, frames, and
-//! offsets.
+//! offsets. Memory is 384 bytes a cell up to degree 3, else 1536.
 
 use crate::capi::context::{create_handle, create_handle_and_outputs, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
@@ -18,21 +18,21 @@ use gusset_base::alloc;
 
 /// How a surface is made from a frame.
 pub type gusset_frame_surface = u32;
-/// The curves across. Between two equal sections, one straight behind the other, the surface is
-/// their cylinder.
+/// The curves across. Between equal sections, one straight behind the other, the surface is their
+/// cylinder.
 pub const GUSSET_FRAME_SECTIONS: gusset_frame_surface = 0;
-/// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners.
+/// A grid through the nodes, or GUSSET_FRAME_CURVES if curves have corners.
 pub const GUSSET_FRAME_NODES: gusset_frame_surface = 1;
 /// Gordon's surface, which contains all curves of the frame.
 pub const GUSSET_FRAME_CURVES: gusset_frame_surface = 2;
 
 /// A tensor-product B-spline, rational (NURBS) if its weights differ.
 ///
-/// Knots are finite and do not decrease. Inner knots may repeat degree times.
-/// - Open direction: control points + degree + 1 knots, clamped or not; defined from knot degree to
-///   knot count.
-/// - Closed direction: control points + 1 knots, one period; control points are not repeated. Span
-///   k begins at knot k and uses control points k - degree to k, cyclically.
+/// Knots do not decrease; inner ones may repeat degree times.
+/// - Open: control points + degree + 1 knots, clamped or not; defined from knot degree to knot
+///   count.
+/// - Closed: control points + 1 knots, one period; control points are not repeated. Span k begins
+///   at knot k and uses control points k - degree to k, cyclically.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_spline {
@@ -62,10 +62,10 @@ pub struct gusset_spline {
     /// 1: closed in v.
     /// @flag
     pub closed_v: u32,
-    /// Finite, above 0, at least 2^-900 of the greatest; NULL: all equal.
+    /// Above 0, at least 2^-900 of the greatest; NULL: all equal.
     pub weights: *const f64,
-    /// Largest distance from a rational spline at equal parameters; rounding requires about 1e-13
-    /// of the size. 0: 1e-12 of the control points' box diagonal, or more for rounding.
+    /// Largest distance from a rational spline at equal parameters, at least about 1e-13 of the
+    /// size. 0: 1e-12 of the controls' box diagonal, or more for rounding.
     /// @option
     pub tolerance: f64,
     /// Most cells of a rational spline; 0: 2^20.
@@ -73,15 +73,15 @@ pub struct gusset_spline {
     pub max_cells: usize,
 }
 
-/// A net of curves: each row meets each column. Curves may have either orientation. If they do not
-/// meet in the given order, they are sorted by the places where they meet.
+/// A net of curves: each row meets each column. Curves have any orientation, and are sorted by the
+/// places where they meet unless in order.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_net {
     /// sizeof(gusset_curve_net).
     pub struct_size: usize,
-    /// Curves in v, of degree 7 at most; without columns, ordered by u. A curve that is one point is
-    /// a pole.
+    /// Curves in v, of degree 7 at most; without columns, ordered by u. A curve of one point is a
+    /// pole.
     pub rows: *const *const gusset_curve,
     /// 0 (a skin of the columns), or at least 2, or 3 if closed_u.
     pub row_count: usize,
@@ -89,15 +89,14 @@ pub struct gusset_curve_net {
     pub columns: *const *const gusset_curve,
     /// 0 (a skin of the rows), or at least 2, or 3 if closed_v.
     pub column_count: usize,
-    /// Largest distance of curves that meet, finite; both move to the middle. 0: 1e-6 of the box
-    /// diagonal.
+    /// Largest distance of curves that meet; both move to the middle. 0: 1e-6 of the box diagonal.
     /// @option
     pub tolerance: f64,
-    /// 1: the columns are closed, and the first row follows the last.
+    /// 1: columns are closed; the first row follows the last.
     /// @option
     /// @flag
     pub closed_u: u32,
-    /// 1: the rows are closed, and the first column follows the last.
+    /// 1: rows are closed; the first column follows the last.
     /// @option
     /// @flag
     pub closed_v: u32,
@@ -121,16 +120,15 @@ fn curves_of_handles<'a>(
 
 /// Makes a sheet from Bézier patches.
 ///
-/// Adjacent patches should share sides. Repeated points and poles are allowed.
+/// Neighbours should share sides. Repeated points and poles are allowed.
 ///
-/// @param points patch after patch, row after row; (degree_u + 1) x (degree_v + 1) points a patch,
-///     v fastest.
+/// @param points patch after patch, row after row; (degree_u + 1) x (degree_v + 1) each, v fastest.
 /// @param degree_u 1 to 7.
 /// @param degree_v 1 to 7.
-/// @param rows of patches, at least 1.
-/// @param columns of patches, at least 1.
+/// @param rows at least 1.
+/// @param columns at least 1.
 /// @errors OUT_OF_RANGE (degree), EMPTY_MESH (no patches), TOO_LARGE, NOT_FINITE
-/// @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
+/// @complexity O(points).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_patches_create(
@@ -158,24 +156,22 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     })
 }
 
-/// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span
-/// becomes a cell, exact up to rounding.
+/// Makes a sheet from a B-spline surface. With equal weights, each non-empty knot span becomes an
+/// exact cell, up to rounding.
 ///
-/// For the spline's parameters at 0, 1, 2, ... and the proved deviation, see
-/// gusset_sheet_get_report.
+/// gusset_sheet_get_report has the spline's parameters at 0, 1, 2, ... and the proved deviation.
 ///
 /// If weights differ:
-/// - Rows and columns of spans are subdivided into patches of degree 7 until the tolerance is
-///   proved.
+/// - Rows and columns of spans are divided into patches of degree 7 until the tolerance is proved.
 /// - Values and first derivatives at cell corners are exact.
-/// - Tangents are continuous across sides where the rational surface's are.
-/// - A side that is one point stays exactly one point.
+/// - Tangents are continuous across sides where the spline's are.
+/// - A side of one point stays exactly one point.
 ///
 /// @errors OUT_OF_RANGE (degree, tolerance, weight), NET_TOO_SMALL (too few control points),
-///     BAD_KNOTS (not finite, decreasing, repeated too often, or a span too short to subdivide),
-///     TOO_LARGE (control points, cells), NOT_FINITE
-/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Rational: O(cells x
-///     degree^2), parallel; 1536 bytes a cell, three times that during the call.
+///     BAD_KNOTS (not finite, decreasing, repeated too often, span too short to divide), TOO_LARGE
+///     (control points, cells), NOT_FINITE
+/// @complexity O(spans x degree^3). Rational: O(cells x degree^2), parallel; 1536 bytes a cell,
+///     thrice during the call.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_spline_create(
@@ -211,17 +207,16 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 
 /// Makes Gordon's surface of a net of curves, which contains them all.
 ///
-/// Two rows and two columns give Coons's patch. Nodes are where each row and each column are
-/// nearest. If all rows have the same number of segments between two nodes, these are matched in
-/// order. Else all rows are cut at each joint, which adds cells. Columns likewise.
+/// Two rows and two columns give Coons's patch. Nodes are where a row and a column are nearest. If
+/// all rows have the same number of segments between two nodes, these match in order; else all are
+/// cut at each joint, which adds cells. Columns likewise.
 ///
-/// The surface is C1 where the curves are C1 over common knots without joints between nodes;
-/// elsewhere nearly C1 (see gusset_sheet_measure). Polylines keep their creases.
+/// It is C1 where curves are C1 over common knots without joints between nodes; elsewhere nearly
+/// (see gusset_sheet_measure). Polylines keep creases.
 ///
 /// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
-///     CURVES_APART (with row and distance; also out of order), TOO_LARGE
-/// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, else
-///     1536.
+///     CURVES_APART (row, distance; also out of order), TOO_LARGE
+/// @complexity O(rows x columns x log segments + cells).
 /// @source Gordon (1969).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -241,19 +236,19 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
     })
 }
 
-/// Makes a grid through the corners of a sheet's cells, each moved along its normal.
+/// Makes a grid through the corners of a sheet's cells, moved along their normals.
 ///
 /// Normals point along S_u x S_v:
-/// - Grid: from circles through neighbouring nodes; exact on planes, spheres, and round cylinders
-///   whose rulings and sections are grid lines.
+/// - Grids: from circles through neighbouring nodes; exact on planes, spheres, and round cylinders
+///   with rulings and sections as grid lines.
 /// - Patches: exact. The grid is smooth where patches had creases.
 /// - A corner without a normal stays.
 ///
-/// @param distances lengths of either sign, finite.
+/// @param distances lengths of either sign.
 /// @param distance_count 1: for all; rows + 1: for each line of corners along v; (rows + 1) x
 ///     (columns + 1): for each corner, row by row. A closing line counts, but moves with the first.
 /// @param deviation receives the largest deviation at cell middles from the sheet moved by the
-///     corners' mean distance; or NULL.
+///     corners' mean distance, or NULL.
 /// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance or corner)
 /// @complexity O(cells).
 #[unsafe(no_mangle)]
@@ -282,8 +277,8 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
 
 /// Makes the surface of a frame: u runs along the body, v round it, closed like the frame.
 ///
-/// @errors NET_TOO_SMALL, OUT_OF_RANGE (degree above 7), CURVES_APART (nodes of a curve repeat or
-///     are out of order), NOT_FINITE
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (degree above 7), CURVES_APART (nodes repeat or are out of
+///     order), NOT_FINITE
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -30,7 +30,7 @@ pub struct gusset_sheet_mesh_options {
     pub reserved: u32,
 }
 
-/// Places and normals of the mesh of a sheet.
+/// Places and normals of a sheet's mesh.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_mesh_report {
@@ -38,13 +38,13 @@ pub struct gusset_sheet_mesh_report {
     pub struct_size: usize,
     /// Number of vertices.
     pub vertex_count: usize,
-    /// Place of each vertex; its sheet is 0.
+    /// Place of each vertex, with sheet 0.
     /// @shape vertex_count
     pub places: *const gusset_surface_place,
     /// Unit normal of each vertex; 0 if undefined.
     /// @shape vertex_count 3
     pub normals: *const f64,
-    /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
+    /// Bound of the distance between surface and triangles, for either diagonal of quads.
     pub deviation: f64,
 }
 
@@ -60,12 +60,12 @@ impl gusset_sheet_mesh_options {
     }
 }
 
-/// Makes a mesh of a sheet.
+/// Makes a sheet's mesh.
 ///
 /// Cells of a row share the number of parts in u, cells of a column in v. Seams and poles are
-/// closed. Faces are counter-clockwise seen from the side of S_u x S_v. The mesh may lack faces.
+/// closed. Faces are counter-clockwise seen against S_u x S_v. The mesh may lack faces.
 ///
-/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
+/// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (UINT32_MAX corners or more)
 /// @complexity O(cells + vertices).
 #[unsafe(no_mangle)]
 #[must_use]

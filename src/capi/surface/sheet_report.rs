@@ -16,11 +16,11 @@ use crate::surface::reference::{Diameters, curvature_bound};
 pub struct gusset_sheet_report {
     /// sizeof(gusset_sheet_report).
     pub struct_size: usize,
-    /// Cells in u: u runs from 0 to rows.
+    /// Cells in u, which runs from 0 to rows.
     pub rows: usize,
-    /// Cells in v: v runs from 0 to columns.
+    /// Cells in v, likewise.
     pub columns: usize,
-    /// Degree of patches in both directions: 3 or 7.
+    /// Degree of patches: 3 or 7.
     pub degree: u32,
     /// 1: stores nodes; 0: patches.
     /// @flag
@@ -31,24 +31,24 @@ pub struct gusset_sheet_report {
     /// 1: closed in v.
     /// @flag
     pub closed_v: u32,
-    /// 1: the side u = 0 is a pole, one point.
+    /// 1: u = 0 is a pole, one point.
     /// @flag
     pub pole_u0: u32,
-    /// 1: the side u = rows is a pole.
+    /// 1: u = rows is a pole.
     /// @flag
     pub pole_u1: u32,
-    /// 1: the side v = 0 is a pole.
+    /// 1: v = 0 is a pole.
     /// @flag
     pub pole_v0: u32,
-    /// 1: the side v = columns is a pole.
+    /// 1: v = columns is a pole.
     /// @flag
     pub pole_v1: u32,
-    /// Bound of the distance from a rational spline at equal parameters, rounding included; else 0.
+    /// Bound of the distance from a rational spline at equal parameters, with rounding; else 0.
     pub deviation: f64,
-    /// Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
+    /// Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between.
     /// @shape rows+1
     pub knots_u: *const f64,
-    /// Spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
+    /// Spline: its columns + 1 parameters, likewise.
     /// @shape columns+1
     pub knots_v: *const f64,
 }
@@ -57,7 +57,7 @@ versioned! { gusset_sheet_report: 56 }
 
 /// Reports on a sheet.
 ///
-/// @complexity O(cells at the sides).
+/// @complexity O(cells at sides).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_get_report(
@@ -102,7 +102,7 @@ pub const GUSSET_SHEET_MEASURE_CURVATURE: gusset_sheet_measure_flags = 2;
 /// `crease`.
 pub const GUSSET_SHEET_MEASURE_CREASE: gusset_sheet_measure_flags = 4;
 
-/// Measures of a sheet (see gusset_cell_arrays); 0 if not requested.
+/// Measures of a sheet (see gusset_cell_arrays); 0 unless requested.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_measures {
@@ -114,7 +114,7 @@ pub struct gusset_sheet_measures {
     pub intrinsic_diameter: f64,
     /// Bound of absolute principal curvatures; infinite if not regular, as at poles.
     pub curvature_bound: f64,
-    /// Largest angle between normals across cell sides; 0, or rounding, if smooth.
+    /// Largest angle between normals across cell sides; if smooth, 0 or rounding.
     pub crease: f64,
 }
 
@@ -124,18 +124,18 @@ pub struct gusset_sheet_measures {
 pub struct gusset_cell_arrays {
     /// sizeof(gusset_cell_arrays).
     pub struct_size: usize,
-    /// Length of each array, at least the number of cells.
+    /// Length of each array, at least all cells.
     pub capacity: usize,
-    /// Bounds of the distance of any two points of a cell.
+    /// Bounds of a cell's diameter.
     pub diameters: *mut f64,
     /// Bounds of the shortest curve in a cell between any two points.
     pub intrinsic_diameters: *mut f64,
-    /// Estimates, not bounds, of the distance from the smooth surface that the nodes sample, at
-    /// equal parameters. Infinite for fewer than 5 nodes in a direction; 0 for patches.
+    /// Estimates, not bounds, of the distance from the smooth surface that nodes sample, at equal
+    /// parameters. Infinite below 5 nodes in a direction; 0 for patches.
     pub errors: *mut f64,
-    /// Bounds of the distance from the bilinear patch through a cell's corners.
+    /// Bounds of the distance from the bilinear patch of a cell's corners.
     pub bilinear: *mut f64,
-    /// Bounds of the distance from the two triangles of a cell, for either diagonal.
+    /// Bounds of the distance from a cell's two triangles, for either diagonal.
     pub triangles: *mut f64,
 }
 
@@ -161,7 +161,7 @@ fn optional_cell_buffer<'a>(
 /// Measures a sheet and its cells.
 ///
 /// @param parts fields of `measures` to compute; 0: all.
-/// @param cells NULL: none. After an error, the arrays are unchanged.
+/// @param cells NULL: none. Unchanged after an error.
 /// @param measures NULL: none.
 /// @errors BUFFER_TOO_SMALL (value: number of cells)
 /// @complexity O(cells), parallel; 16 bytes a cell for each of diameters, errors and distances.

@@ -17,15 +17,15 @@ use crate::surface::surface_intersection::Options;
 pub struct gusset_intersection_options {
     /// sizeof(gusset_intersection_options).
     pub struct_size: usize,
-    /// Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by
-    /// about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    /// Largest distance of the curve from its chords, above 0; rare chords exceed it by about 15 %.
+    /// At least the smallest of `tolerance` and the surfaces' applies.
     /// @when spacing GUSSET_POINT_SPACING_CHORD
     pub chord: f64,
-    /// Two surfaces touch where their gap or overlap stays within this length, finite; 0: the
-    /// surfaces' smaller tolerance. Self-intersections use at most the surface's. Branches shorter
-    /// than all three may be lost.
+    /// Surfaces touch where their gap or overlap stays within it; 0: the surfaces' smaller
+    /// tolerance. Self-intersections use at most the surface's. Branches shorter than all three may
+    /// be lost.
     pub tolerance: f64,
-    /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
+    /// Not GUSSET_POINT_SPACING_LEUS; GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     pub spacing: gusset_spacing_rule,
     /// 0.
     pub reserved: u32,
@@ -49,58 +49,57 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 
 /// Finds the curves in which two surfaces meet, or one meets itself.
 ///
-/// Each curve is returned once, and runs along N x N', the normals at `places` and `others`. Points
-/// and normals lie on the first surface; the second differs by rounding, at crossings by up to the
+/// Each curve is found once, and runs along N x N', the normals at `places` and `others`. Points
+/// and normals are the first surface's; the second differs by rounding, at crossings within the
 /// tolerance.
 ///
 /// Two surfaces: all branches are found, except
 /// - branches shorter than the tolerance, or the surfaces' if smaller (near poles, four times
 ///   that);
-/// - branches within four times that length of another branch;
+/// - branches within four times that length of another;
 /// - parts within contacts and unresolved cells.
 ///
-/// Open paths end at borders of sheets or in unresolved cells.
+/// Open paths end at borders or in unresolved cells.
 ///
 /// A point where surfaces touch or branches cross is a contact if proved:
 /// - Near it, both surfaces are graphs over a plane.
-/// - Second derivatives of the difference are definite (GUSSET_CONTACT_POINT) or indefinite
-///   (GUSSET_CONTACT_CROSSING).
-/// - The gap is within the tolerance. A larger gap leaves a loop, nothing, or two separate
-///   branches.
+/// - Their difference has definite (GUSSET_CONTACT_POINT) or indefinite (GUSSET_CONTACT_CROSSING)
+///   second derivatives.
+/// - The gap is within the tolerance. A larger one leaves a loop, nothing, or two branches.
 ///
-/// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is
-/// at most about 4 sqrt(2 tolerance / c), c the least curvature of the difference. At a crossing, a
-/// path turns into the branch that closes it, if any.
+/// Within a contact's radius, at most about 4 sqrt(2 tolerance / c) for the least curvature c of
+/// the difference, loops are omitted and paths run straight to its point. At a crossing, a path
+/// turns into the branch that closes it, if any.
 ///
 /// Cells of the first surface are unresolved where
-/// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
-/// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly
-///   along cell sides of both surfaces.
+/// - surfaces coincide, or touch along a curve, at a pole or border, or to a higher order;
+/// - the work limit is exceeded, as by branches 1e-4 of a cell apart, or nearly along cell sides of
+///   both.
 ///
-/// There, curves may end, split or be missing, but are joined across a cell if a chord is as near
-/// to both surfaces as elsewhere.
+/// There, curves may end, split or be missing, but join across a cell if a chord is as near to both
+/// surfaces as elsewhere.
 ///
 /// Self-intersections:
 /// - Along a closed curve the pieces may swap: it ends at its first point with `places` and
-///   `others` exchanged. A seam that turns the sheet over also reverses the direction.
-/// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie
-///   at opposite borders of a sheet with equal control points, in either order, to 64 units of
-///   rounding of the largest coordinate.
-/// - A common border of different sheets is an intersection.
-/// - Branches longer than the tolerance are found, except in unresolved cells: at pinches, creases
-///   and singular poles, and where pieces touch or coincide.
-/// - A curve stops before a pinch, where its pieces come within the tolerance (on rough surfaces,
-///   tens of tolerances).
-/// - Curves along cell sides may come in many parts.
+///   `others` exchanged. A seam that turns the sheet over also reverses it.
+/// - Common points of joined cells do not count. These share a side, corner or pole, or lie at
+///   opposite borders of a sheet. Control points there are equal, in either order, to 64 roundings
+///   of the largest coordinate.
+/// - Common borders of different sheets are intersections.
+/// - Branches above the tolerance are found, except in unresolved cells: at pinches, creases and
+///   singular poles, and where pieces touch or coincide.
+/// - Curves stop before pinches, where pieces come within the tolerance (rough surfaces: tens of
+///   tolerances).
+/// - Curves along cell sides may be in many parts.
 /// - Contacts are not sought.
 ///
-/// Exchanging the surfaces may change rounding and proved contacts.
+/// Exchanging the surfaces may change rounding and contacts proved.
 ///
 /// @param other NULL: self-intersections; if `surface`, everything coincides.
 /// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
-/// @complexity Proportional to the pairs of cells within the tolerance, limited for each, and to
-///     the points, about 1 / sqrt(chord); parallel. Self-intersections: also to the cells, and n^2
-///     / 2 for n cells round a pole.
+/// @complexity Proportional to pairs of cells within the tolerance, limited for each, and to
+///     points, about 1 / sqrt(chord); parallel. Self-intersections: also to cells, and n^2/2 for n
+///     cells round a pole.
 /// @source Leus, task e.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -88,6 +88,10 @@ impl Reference<'_> {
         let text = match (param.name.as_str(), kind.pointers.as_slice()) {
             ("context", [_]) => Some("threads, progress, cancellation and error report; NULL for the defaults."),
             ("options", [true]) => Some("NULL for the defaults."),
+            ("written", [false]) => Some("receives the number of elements."),
+            ("index" | "entry" | "group" | "child", []) => Some("its index."),
+            ("size", []) => Some("number of bytes."),
+            ("user", [_]) => Some("passed to the callback."),
             (_, [false, false]) if self.is_handle(&kind.name) => Some("receives the handle; NULL after an error."),
             (_, [_]) if self.is_handle(&kind.name) => Some("the handle."),
             (_, [true]) if kind.name == "gusset_mesh_view" => Some("a mesh."),

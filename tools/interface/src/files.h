@@ -1,4 +1,4 @@
-/* Files of meshes, curves and points. Generated from crates/gusset-files/src/table; do not edit.
+/* Files of meshes, curves and points. Generated from crates/gusset-files/src/table.
  *
  * Functions read and write files in memory, as documents: JSON text and an array of bytes (docs/guides/files.md).
  *

@@ -21,6 +21,9 @@ pub fn declarations(root: &Path, folder: &str, config: &str) -> Result<BTreeMap<
     let mut written = Vec::new();
     builder.generate().map_err(|error| error.to_string())?.write(&mut written);
     let text = String::from_utf8(written).map_err(|error| error.to_string())?;
+    // Without the conditions that it repeats.
+    let text =
+        text.lines().map(|line| line.split_once(" // ").map_or(line, |(code, _)| code)).collect::<Vec<_>>().join("\n");
     Ok(text
         .split("\n\n")
         .filter_map(|block| declared(block).map(|name| (name, block.trim_matches('\n').to_owned())))
@@ -36,7 +39,7 @@ pub fn prelude(version: &str) -> String {
         "#include <stddef.h>\n#include <stdint.h>\n\n#if defined(_WIN32) && defined(GUSSET_SHARED)\n#define GUSSET_API __declspec(dllimport)\n#elif defined(__GNUC__)\n\
          #define GUSSET_API __attribute__((visibility(\"default\")))\n#else\n#define GUSSET_API\n#endif\n\n\
          #if defined(__GNUC__)\n#define GUSSET_MUST_USE __attribute__((warn_unused_result))\n#else\n#define GUSSET_MUST_USE\n#endif\n\n\
-         /// Version of this header; compare with gusset_version() of the library loaded.\n\
+         /// Version of this header; compare gusset_version().\n\
          #define GUSSET_VERSION_MAJOR {major}\n#define GUSSET_VERSION_MINOR {minor}\n#define GUSSET_VERSION_PATCH {patch}\n\
          #define GUSSET_VERSION_STRING \"{version}\"\n"
     )
@@ -89,43 +92,79 @@ pub struct Body {
 /// The headers that programs include.
 pub struct Plain;
 
-/// The comment without the tags that only generators read, and with `@flag` behind the text.
+/// The comment without the tags that only generators read.
 fn for_readers(comment: &Comment) -> Comment {
     let mut comment = comment.clone();
-    let is_flag = comment.tag("flag").is_some();
     comment.tags.retain(|(name, _)| !["flag", "shape", "option", "choice"].contains(&name.as_str()));
-    if is_flag {
-        let last = comment.text.last_mut().unwrap_or(if comment.detail.is_empty() {
-            &mut comment.brief
-        } else {
-            &mut comment.detail
-        });
-        last.push_str(" @flag");
+    comment
+}
+
+/// Shortens the comment of a function by what its declaration or the first page of gusset.h says.
+fn shorten_function(item: &Item, params: &[Field]) -> Comment {
+    let mut comment = item.comment.clone();
+    let takes = |name: &str| params.iter().any(|param| param.name.contains(name) || param.kind.name == name);
+    comment.errors.retain(|cause| match cause.status.as_str() {
+        "WRONG_HANDLE" | "TOO_LARGE" => !cause.when.is_empty(),
+        "BUFFER_TOO_SMALL" => !cause.when.is_empty() || !takes("capacity"),
+        "as gusset_mesh_view" => !takes("gusset_mesh_view"),
+        _ => true,
+    });
+    comment.tags.retain(|(name, text)| !(name == "complexity" && text == "O(1)."));
+    comment.params = comment.params.into_iter().filter_map(without_receives).collect();
+    let frees = item.name.ends_with("_destroy");
+    let lends = item.name.contains("_get_") && comment.brief.starts_with("Lends ");
+    if (frees || lends) && comment.is_plain() && comment.params.is_empty() && comment.errors.is_empty() {
+        comment = Comment::default();
     }
     comment
 }
 
+/// The text of a parameter without "receives the"; none if a single word is left.
+fn without_receives((name, text): (String, String)) -> Option<(String, String)> {
+    let Some(rest) = text.strip_prefix("receives ") else { return Some((name, text)) };
+    let rest = rest.strip_prefix("the ").unwrap_or(rest);
+    rest.contains(' ').then(|| (name, rest.to_owned()))
+}
+
+/// True if the name of an item, its values or the function below it say what its comment says.
+fn is_obvious(item: &Item) -> bool {
+    let brief = &item.comment.brief;
+    let said = match &item.kind {
+        Kind::Struct(_) => brief.starts_with("Lent ") || brief.starts_with("Options of gusset_"),
+        Kind::Choice(_) => true,
+        _ => false,
+    };
+    said && item.comment.is_plain()
+}
+
 impl Style for Plain {
     fn comment(&self, _: &Source, item: &Item) -> Comment {
-        item.comment.clone()
+        match &item.kind {
+            Kind::Function(params, _) => shorten_function(item, params),
+            _ if is_obvious(item) => Comment::default(),
+            _ => item.comment.clone(),
+        }
     }
 
     fn field(&self, field: &Field, type_brief: Option<&str>) -> Option<Comment> {
         let Field { name, comment, .. } = field;
         // The first page of gusset.h says some once; a type says some; and a count needs no more
         // than its name.
-        let counts = name.ends_with("count")
-            && comment.is_plain()
-            && ["Number of", "How many"].iter().any(|words| comment.brief.starts_with(words));
+        let begins = |words: &str| comment.is_plain() && comment.brief.starts_with(words);
+        let counts = name.contains("count") && begins("Number of") || name.ends_with("stride") && begins("Stride of");
         let usual = ["struct_size", "reserved"].contains(&name.as_str());
         let said = usual || counts || type_brief == Some(&comment.brief) && comment.is_brief();
         (!said).then(|| for_readers(comment))
     }
 
     fn heading(&self, source: &Source) -> String {
-        let text = format!("---- {} {}", source.comment.brief, source.comment.detail);
-        let lines = wrapped(text.trim(), "", WIDTH - 6);
-        lines.iter().map(|line| format!("/* {line} */")).collect::<Vec<_>>().join("\n")
+        let title = source.comment.brief.split_once(": ").map_or(&*source.comment.brief, |(title, _)| title);
+        let text = match source.comment.detail.as_str() {
+            "" => title.to_owned(),
+            detail => format!("{title}. {detail}"),
+        };
+        let lines = wrapped(&text, "", WIDTH - 8);
+        lines.iter().map(|line| format!("/*** {line} */")).collect::<Vec<_>>().join("\n")
     }
 }
 
@@ -303,7 +342,7 @@ pub fn framed(frame: &Frame<'_>, body: &str) -> String {
     let Frame { opening, guard, above } = frame;
     format!(
         "{opening}\n\n#ifndef {guard}\n#define {guard}\n{above}\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{body}\n\
-         #ifdef __cplusplus\n}}\n#endif\n#endif /* {guard} */\n"
+         #ifdef __cplusplus\n}}\n#endif\n#endif\n"
     )
 }
 

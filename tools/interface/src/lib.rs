@@ -86,7 +86,7 @@ fn written(
     let header = |body: headers::Body| {
         let guard = format!("GUSSET_{}_H", body.header.to_uppercase());
         let above = if body.header == source::BASE { headers::prelude(version) } else { body.includes };
-        let opening = "/* Generated from src/capi; do not edit. See gusset.h. */";
+        let opening = "/* Generated from src/capi; see gusset.h. */";
         let text = headers::framed(&headers::Frame { opening, guard: &guard, above: &above }, &body.text);
         (format!("include/gusset/{}.h", body.header), text)
     };
@@ -157,7 +157,8 @@ fn table_header(
 pub fn library_texts(root: &Path) -> Result<Vec<Generated>, String> {
     let sources = sources(root)?;
     let file = |name: &str, text: String| (format!("{FOLDER}/{name}.rs"), text);
-    Ok(vec![file("status_text", texts::statuses(&sources)), file("choice_text", texts::choices(&sources))])
+    let choices = texts::choices(&sources).into_iter().map(|(name, text)| file(&format!("choice_text/{name}"), text));
+    Ok([file("status_text", texts::statuses(&sources))].into_iter().chain(choices).collect())
 }
 
 /// The description as JSON, an item a line.

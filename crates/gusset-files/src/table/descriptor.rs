@@ -26,7 +26,7 @@ pub const GUSSET_FILES_TEXT: u32 = 1;
 /// Flag of write: permits moves of over 0.001 mean edges by rounding.
 pub const GUSSET_FILES_LOSSY: u32 = 2;
 
-/// Files that a file names: material libraries, buffers, images, scans.
+/// Files that a file names: materials, buffers, images, scans.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_files_folder {
@@ -34,13 +34,13 @@ pub struct gusset_files_folder {
     pub struct_size: usize,
     /// First argument of load.
     pub user: *mut c_void,
-    /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero: it
-    /// does not exist, or may not be read.
+    /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero:
+    /// none, or not to be read.
     pub load: Option<
         unsafe extern "C" fn(user: *mut c_void, name: *const c_char, bytes: *mut *const u8, size: *mut usize) -> i32,
     >,
-    /// Path from the folder of a written file to this one, such as "../scans". The file names images
-    /// by it. NULL: both are one folder.
+    /// Path from a written file's folder to this one, such as "../scans", by which it names images.
+    /// NULL: both are one.
     pub seen_as: *const c_char,
 }
 
@@ -50,9 +50,9 @@ pub struct gusset_files {
     /// sizeof(gusset_files).
     pub struct_size: usize,
     /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags:
-    /// GUSSET_FILES_JOINED, GUSSET_FILES_UNMERGED or 0. Part 0 is the document's JSON text, part 1 the
-    /// arrays in it; after a failure, *result has the message. O(size) time; memory at most 32 times all
-    /// files.
+    /// GUSSET_FILES_JOINED, GUSSET_FILES_UNMERGED or 0. Part 0 is the document's JSON text, part 1
+    /// its arrays; after a failure, *result has the message. O(size) time; memory at most 32 times
+    /// all files.
     pub read: unsafe extern "C" fn(
         name: *const c_char,
         bytes: *const u8,
@@ -61,8 +61,9 @@ pub struct gusset_files {
         flags: u32,
         result: *mut *mut gusset_file,
     ) -> i32,
-    /// Writes a document, whose arrays have size bytes. flags: GUSSET_FILES_TEXT, GUSSET_FILES_LOSSY
-    /// or 0. Part 0 is a JSON list of losses, part 1 the file, further parts are files beside it.
+    /// Writes a document, whose arrays have size bytes. flags: GUSSET_FILES_TEXT,
+    /// GUSSET_FILES_LOSSY or 0. Part 0 is a JSON list of losses, part 1 the file, the rest files
+    /// beside it.
     pub write: unsafe extern "C" fn(
         name: *const c_char,
         document: *const c_char,
