@@ -1,7 +1,7 @@
 //! Sections of meshes: the surface that is cut, the places of the planes, and the curves.
 
-use crate::common::{Soup, torus};
-use crate::editor::{polylines, sheet, sphere, values};
+use crate::common::{Soup, sheet, torus};
+use crate::editor::{curve, polylines, sphere, values};
 use gusset::filters::Filter;
 use gusset::filters::data::{Curves, Input, Output};
 use gusset::filters::report::Report;
@@ -25,10 +25,6 @@ fn number(report: &Report, name: &str) -> f64 {
 fn in_triangles(soup: &Soup) -> Soup {
     let halves: Vec<[u32; 3]> = soup.faces().flat_map(|f| (1..f.len() - 1).map(|k| [f[0], f[k], f[k + 1]])).collect();
     Soup::new(soup.points.clone(), &halves.iter().map(|face| &face[..]).collect::<Vec<_>>())
-}
-
-fn curve(curves: &Curves, c: usize) -> &[[f64; 3]] {
-    &curves.points[curves.offsets[c] as usize..curves.offsets[c + 1] as usize]
 }
 
 /// A grid of quads is cut as its smooth surface, unless its faces are chosen; triangles are cut as they
@@ -85,7 +81,7 @@ fn planes_about_an_axis_cut_the_tube_of_a_torus() {
         let (curves, report) = cut(&soup, &[("placement", &[2.0]), ("number", &[7.0])]).unwrap();
         assert_eq!(curves.closed, [true; 14], "{report}");
         for c in 0..14 {
-            let angles: Vec<f64> = curve(&curves, c).iter().map(|p| libm::atan2(p[1], p[0])).collect();
+            let angles: Vec<f64> = curve(&curves, c).iter().map(|p| p[1].atan2(p[0])).collect();
             let turns = angles[0] * 7.0 / PI;
             assert!(
                 (turns - turns.round()).abs() < 1e-6 && angles.iter().all(|a| (a - angles[0]).abs() < 1e-6),
