@@ -37,7 +37,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    cut: Cut = Param::choice("Cut", "The surface to cut.", CUTS);
+    cut: Cut = Param::choice("Cut", "The surface that the planes cut.", CUTS);
     placement: Placement = Param::choice("Planes", "The placement of the planes.", PLACEMENTS);
     direction: DVec3 = DIRECTION.with_help("The normal of parallel planes, or the direction of the axis.");
     number: u32 = NUMBER;

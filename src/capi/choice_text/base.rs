@@ -2,10 +2,11 @@
 //!
 //! Written by `gusset-interface headers`; do not edit.
 
-use super::Choice;
+use std::ffi::CStr;
 
+/// The name of each choice, and its constants with their texts.
 #[rustfmt::skip]
-pub(super) const CHOICES: &[Choice] = &[
+pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
     ("gusset_element", &[
         (0, c"The index means nothing."),
         (1, c"Vertex of the input mesh."),

@@ -13,12 +13,9 @@ mod scene;
 mod stream;
 mod surface;
 
-/// The name of a choice, and its constants with their texts.
-type Choice = (&'static str, &'static [(u32, &'static CStr)]);
-
-/// The choices of all headers.
+/// For each header, the name of each choice, and its constants with their texts.
 #[rustfmt::skip]
-static TABLES: [&[Choice]; 8] = [
+static TABLES: [&[(&str, &[(u32, &CStr)])]; 8] = [
     base::CHOICES,
     curve::CHOICES,
     mesh::CHOICES,

@@ -2,10 +2,11 @@
 //!
 //! Written by `gusset-interface headers`; do not edit.
 
-use super::Choice;
+use std::ffi::CStr;
 
+/// The name of each choice, and its constants with their texts.
 #[rustfmt::skip]
-pub(super) const CHOICES: &[Choice] = &[
+pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
     ("gusset_reference_object", &[
         (0, c"The point."),
         (1, c"The plane through `point` with the normal `direction`."),

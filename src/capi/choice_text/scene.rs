@@ -2,10 +2,11 @@
 //!
 //! Written by `gusset-interface headers`; do not edit.
 
-use super::Choice;
+use std::ffi::CStr;
 
+/// The name of each choice, and its constants with their texts.
 #[rustfmt::skip]
-pub(super) const CHOICES: &[Choice] = &[
+pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
     ("gusset_scene_entry_kind", &[
         (0, c"Net."),
         (1, c"Group of entries."),

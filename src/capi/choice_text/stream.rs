@@ -2,10 +2,11 @@
 //!
 //! Written by `gusset-interface headers`; do not edit.
 
-use super::Choice;
+use std::ffi::CStr;
 
+/// The name of each choice, and its constants with their texts.
 #[rustfmt::skip]
-pub(super) const CHOICES: &[Choice] = &[
+pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
     ("gusset_stream_mode", &[
         (0, c"Compressed, rounded to a number of bits."),
         (1, c"Compressed bit for bit, including NaN."),

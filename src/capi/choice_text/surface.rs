@@ -2,10 +2,11 @@
 //!
 //! Written by `gusset-interface headers`; do not edit.
 
-use super::Choice;
+use std::ffi::CStr;
 
+/// The name of each choice, and its constants with their texts.
 #[rustfmt::skip]
-pub(super) const CHOICES: &[Choice] = &[
+pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
     ("gusset_contact_kind", &[
         (1, c"They touch in a point, apart round it or overlapping within the tolerance."),
         (2, c"Two branches cross, or pass each other within the tolerance."),

@@ -43,8 +43,9 @@ fn has_choice(source: &Source) -> bool {
 /// The table of the choices of a header.
 fn table(sources: &[Source], header: &str) -> String {
     let items = || sources.iter().filter(|source| source.header == header).flat_map(|source| &source.items);
-    let mut code = format!("//! Choices of gusset/{header}.h.\n//!\n{WRITTEN}use super::Choice;\n\n");
-    code += "#[rustfmt::skip]\npub(super) const CHOICES: &[Choice] = &[\n";
+    let mut code = format!("//! Choices of gusset/{header}.h.\n//!\n{WRITTEN}use std::ffi::CStr;\n\n");
+    code += "/// The name of each choice, and its constants with their texts.\n#[rustfmt::skip]\n";
+    code += "pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[\n";
     for choice in items().filter(|item| matches!(item.kind, Kind::Choice(_))) {
         let _ = writeln!(code, "    ({:?}, &[", choice.name);
         for item in items() {
@@ -69,10 +70,8 @@ fn search(headers: &[&str]) -> String {
     let tables: Vec<_> = headers.iter().map(|header| format!("{header}::CHOICES")).collect();
     let _ = write!(
         code,
-        "\n/// The name of a choice, and its constants with their texts.\n\
-         type Choice = (&'static str, &'static [(u32, &'static CStr)]);\n\n\
-         /// The choices of all headers.\n#[rustfmt::skip]\n\
-         static TABLES: [&[Choice]; {}] = [\n    {},\n];\n\n\
+        "\n/// For each header, the name of each choice, and its constants with their texts.\n#[rustfmt::skip]\n\
+         static TABLES: [&[(&str, &[(u32, &CStr)])]; {}] = [\n    {},\n];\n\n\
          /// The text of a constant of a choice; none if either is unknown.\n\
          pub(super) fn choice_text(choice: &str, value: u32) -> Option<&'static CStr> {{\n    \
          let (_, texts) = TABLES.into_iter().flatten().find(|(name, _)| *name == choice)?;\n    \
