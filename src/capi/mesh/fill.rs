@@ -75,7 +75,7 @@ pub struct gusset_fill_options {
     pub weight: gusset_fill_weight,
     /// New vertices of patches.
     pub refine: gusset_fill_refinement,
-    /// Positions of new vertices.
+    /// Positions of new vertices; ignored without them.
     pub fairing: gusset_fairing,
     /// Loops that are not holes, if all loops are selected.
     pub keep: gusset_fill_keep,

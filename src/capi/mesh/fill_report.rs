@@ -51,10 +51,10 @@ pub const GUSSET_HOLE_NOT_SIMPLE: gusset_hole_status = 6;
 pub const GUSSET_HOLE_NOT_FREE: gusset_hole_status = 7;
 /// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 pub const GUSSET_HOLE_NO_TRIANGULATION: gusset_hole_status = 8;
-/// Left open: loose faces; see GUSSET_KEEP_AUTO.
+/// Left open: loose faces; the loop passes all vertices of its component. See GUSSET_KEEP_AUTO.
 pub const GUSSET_HOLE_LOOSE: gusset_hole_status = 9;
-/// Left open: an edge coincides with another boundary edge up to rounding. GUSSET_KEEP_NONE fills
-/// the loop.
+/// Left open: an edge coincides with another boundary edge up to rounding, so that a
+/// patch would have no area there, or lie on another. GUSSET_KEEP_NONE fills the loop.
 pub const GUSSET_HOLE_UNSEWN: gusset_hole_status = 10;
 
 /// Report on one loop.

@@ -147,7 +147,8 @@ pub struct gusset_join_report {
     pub hole_count: usize,
     /// Rim vertices of holes, in order, before turning components outwards.
     pub hole_rims: gusset_indices,
-    /// Old faces reversed against their pieces, by index in the result.
+    /// Old faces reversed against their pieces, by index in the result. New faces agree with the
+    /// faces beside them.
     pub turned: gusset_indices,
     /// A face of each non-orientable component.
     pub one_sided: gusset_indices,

@@ -212,7 +212,7 @@ pub struct gusset_stitch_options {
     pub search: gusset_strip_search,
     /// First meridian of a closed strip; open ones start at their first points.
     pub start: gusset_strip_start,
-    /// Positions of new vertices.
+    /// Positions of new vertices; ignored without rows.
     pub fairing: gusset_fairing,
     /// Treatment of intersecting faces.
     pub intersections: gusset_intersections,
