@@ -16,7 +16,7 @@ pub const GUSSET_DIRECTION_RIGHT: gusset_direction = 0;
 /// Along columns, from row to row.
 pub const GUSSET_DIRECTION_DOWN: gusset_direction = 1;
 
-/// Replicated rows or columns.
+/// Chooses the rows or columns to replicate.
 pub type gusset_replication = u32;
 /// All, as equally as possible.
 pub const GUSSET_REPLICATE_UNIFORM: gusset_replication = 0;
