@@ -166,12 +166,30 @@ std::vector<Measures> measure(const std::vector<Polyline> &polylines, const Vect
     return all;
 }
 
-std::vector<Measures> measures_of_paths(const gusset::MeshSections &sections) {
-    std::vector<Measures> all;
+/// The polylines as CGAL has them: closed ones repeat their first point. An open one may end where it begins, because vertices of
+/// a border may coincide.
+std::vector<Polyline> polylines_of(const gusset::MeshSections &sections) {
+    std::vector<Polyline> all;
     for (const gusset::SectionPath &path : sections) {
-        all.push_back({path.is_closed(), path.path.length, path.path.area});
+        Polyline polyline;
+        for (const Point &p : path.points) {
+            polyline.emplace_back(p[0], p[1], p[2]);
+        }
+        if (path.is_closed()) {
+            polyline.push_back(polyline.front());
+        }
+        all.push_back(std::move(polyline));
     }
     return all;
+}
+
+/// The lengths and areas that paths state are those of their points.
+void check_measures(Case &test, const gusset::MeshSections &sections, const std::vector<Measures> &measured, double size) {
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+        const gusset::SectionPath path = sections[k];
+        test.at_most(std::abs(path.path.length - measured[k].length), relative_error * size, "error of a length");
+        test.at_most(path.is_closed() ? std::abs(path.path.area - measured[k].area) : std::abs(path.path.area), relative_error * size * size, "error of an area");
+    }
 }
 
 void compare(Case &test, std::vector<Measures> ours, std::vector<Measures> theirs, double size) {
@@ -282,6 +300,7 @@ void check_plane(Case &test, const Model &model, const IntegerPlane &plane) {
     const std::vector<Polyline> theirs = model.slice(plane, 0);
     for (const auto *sections : {&above, &below}) {
         check_sources(test, model, plane, *sections);
+        check_measures(test, *sections, measure(polylines_of(*sections), plane.normal), model.size);
         for (const gusset::SectionPath &path : *sections) {
             test.check(path.is_closed() || !model.closed, "a closed mesh has an open polyline");
         }
@@ -289,8 +308,9 @@ void check_plane(Case &test, const Model &model, const IntegerPlane &plane) {
     std::set<uint32_t> used(model.soup.corners.begin(), model.soup.corners.end());
     if (std::none_of(used.begin(), used.end(), [&](uint32_t v) { return plane.side(model.places[v]) == 0; })) {
         test.note("planes without vertices");
-        compare(test, measures_of_paths(above), measure(theirs, plane.normal), model.size);
-        compare(test, measures_of_paths(below), measure(theirs, plane.normal), model.size);
+        for (const auto *sections : {&above, &below}) {
+            compare(test, measure(polylines_of(*sections), plane.normal), measure(theirs, plane.normal), model.size);
+        }
         return;
     }
     std::map<std::pair<EdgeKey, EdgeKey>, double> segments;
