@@ -183,7 +183,7 @@ std::vector<Polyline> polylines_of(const gusset::MeshSections &sections) {
     return all;
 }
 
-/// The lengths and areas that paths state are those of their points.
+/// The lengths and areas that paths state equal the measures of their points.
 void check_measures(Case &test, const gusset::MeshSections &sections, const std::vector<Measures> &measured, double size) {
     for (std::size_t k = 0; k < measured.size(); ++k) {
         const gusset::SectionPath path = sections[k];

@@ -174,7 +174,7 @@ Mesh bumpy_ring(uint32_t around, uint32_t across) {
 
 /// A ring; its outlines in parallel planes; its outlines in planes about its axis.
 bool sectioned(const std::string &file) {
-    const Mesh ring = bumpy_ring(80, 32);
+    const Mesh ring = bumpy_ring(56, 22);
     Drawing drawing(960, 300, {0.4, -1, 0.75}, 135);
     drawing.place(165, 140);
     drawing.mesh(ring.view(), [](std::size_t) { return grey; });
