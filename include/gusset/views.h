@@ -34,7 +34,7 @@ static inline gusset_mesh_view gusset_triangles_f32(const float *points, size_t 
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, triangle_count, 3);
 }
 
-/// As gusset_triangles_f32, in double precision.
+/// In double precision.
 static inline gusset_mesh_view gusset_triangles_f64(const double *points, size_t point_count, const uint32_t *corners,
                                                     size_t triangle_count) {
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, triangle_count, 3);
@@ -46,26 +46,25 @@ static inline gusset_mesh_view gusset_quads_f32(const float *points, size_t poin
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, quad_count, 4);
 }
 
-/// As gusset_quads_f32, in double precision.
+/// In double precision.
 static inline gusset_mesh_view gusset_quads_f64(const double *points, size_t point_count, const uint32_t *corners,
                                                 size_t quad_count) {
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, quad_count, 4);
 }
 
-/// As gusset_triangles_f32, but face f has the vertices corners[offsets[f]] to corners[offsets[f + 1] - 1]; there are
-/// face_count + 1 offsets.
+/// As gusset_triangles_f32, with offsets into corners, by face.
 static inline gusset_mesh_view gusset_polygons_f32(const float *points, size_t point_count, const uint32_t *offsets,
                                                    const uint32_t *corners, size_t face_count) {
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, offsets, corners, face_count, 0);
 }
 
-/// As gusset_polygons_f32, in double precision.
+/// In double precision.
 static inline gusset_mesh_view gusset_polygons_f64(const double *points, size_t point_count, const uint32_t *offsets,
                                                    const uint32_t *corners, size_t face_count) {
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, offsets, corners, face_count, 0);
 }
 
-/// Lends the mesh of a result, without vertices if the handle is NULL. Valid until the result is destroyed.
+/// Lends the mesh of a result, without vertices if it is NULL.
 static inline gusset_mesh_view gusset_result_mesh(const gusset_result *result) {
     gusset_mesh_view view;
     view.struct_size = sizeof view;
@@ -108,12 +107,12 @@ static inline gusset_nodes gusset_nodes_of(gusset_scalar scalar, const void *poi
     return nodes;
 }
 
-/// As gusset_nodes_of, in single precision.
+/// In single precision.
 static inline gusset_nodes gusset_nodes_f32(const float *points, size_t rows, size_t columns) {
     return gusset_nodes_of(GUSSET_F32, points, rows, columns);
 }
 
-/// As gusset_nodes_of, in double precision.
+/// In double precision.
 static inline gusset_nodes gusset_nodes_f64(const double *points, size_t rows, size_t columns) {
     return gusset_nodes_of(GUSSET_F64, points, rows, columns);
 }
@@ -135,17 +134,17 @@ static inline gusset_net_view gusset_net_points_of(gusset_scalar scalar, void *x
     return view;
 }
 
-/// As gusset_net_points_of, in single precision.
+/// In single precision.
 static inline gusset_net_view gusset_net_points_f32(float *points, size_t rows, size_t columns) {
     return gusset_net_points_of(GUSSET_F32, points, points + 1, points + 2, sizeof *points, rows, columns);
 }
 
-/// As gusset_net_points_f32, in double precision.
+/// In double precision.
 static inline gusset_net_view gusset_net_points_f64(double *points, size_t rows, size_t columns) {
     return gusset_net_points_of(GUSSET_F64, points, points + 1, points + 2, sizeof *points, rows, columns);
 }
 
-/// Makes a surface of one sheet through nodes; see gusset_sheet_create and gusset_surface_create.
+/// Makes a surface of one sheet through nodes.
 /// @errors as gusset_sheet_create, as gusset_surface_create
 static inline GUSSET_MUST_USE gusset_status gusset_surface_from_nodes_create(const gusset_context *context,
                                                                              const gusset_nodes *nodes,
@@ -164,8 +163,7 @@ static inline GUSSET_MUST_USE gusset_status gusset_surface_from_nodes_create(con
     return status;
 }
 
-/// Passes a curve through one outline, by gusset_outline_create and gusset_outline_curve_create. The statuses of points
-/// are lost.
+/// Passes a curve through one outline. The statuses of points are lost.
 /// @errors as gusset_outline_create, as gusset_outline_curve_create
 static inline GUSSET_MUST_USE gusset_status gusset_curve_from_points_create(const gusset_context *context,
                                                                             const gusset_outlines *points,
@@ -183,7 +181,7 @@ static inline GUSSET_MUST_USE gusset_status gusset_curve_from_points_create(cons
     return status;
 }
 
-/// Lends the exported form of a curve, empty if the handle is NULL. Valid until the form is destroyed.
+/// Lends the exported form of a curve, empty if it is NULL.
 static inline gusset_curve_form_view gusset_curve_form_lend(const gusset_curve_form *form) {
     gusset_curve_form_view view;
     view.struct_size = sizeof view;

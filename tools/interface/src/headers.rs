@@ -429,3 +429,32 @@ fn wrapped(text: &str, hanging: &str, width: usize) -> Vec<String> {
     }
     lines
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The comment of a function of a list of numbers, as headers have it.
+    fn shortened(name: &str, text: &str) -> String {
+        let comment = Comment::parse(&text.lines().map(str::to_owned).collect::<Vec<_>>()).unwrap();
+        let kind = Type { name: "size_t".to_owned(), pointers: Vec::new(), sizes: Vec::new() };
+        let capacity =
+            Field { name: "capacity".to_owned(), kind, comment: Comment::default(), called_with: Vec::new() };
+        let item = Item { name: name.to_owned(), kind: Kind::Function(Vec::new(), None), comment };
+        comment_lines(&shorten_function(&item, &[capacity]), "")
+    }
+
+    #[test]
+    fn functions_leave_out_what_holds_for_all() {
+        let text = "Lists nodes.\n@param out receives the nodes of a net.\n@param ends receives ends.\n\
+                    @errors BUFFER_TOO_SMALL, TOO_LARGE, NO_GRID (face)\n@complexity O(1).";
+        let expected = "/// Lists nodes.\n/// @param out nodes of a net.\n/// @errors NO_GRID (face)\n";
+        assert_eq!(shortened("gusset_net_list", text), expected);
+        assert_eq!(shortened("gusset_net_destroy", "Destroys a net."), "");
+        assert_eq!(shortened("gusset_net_get_view", "Lends the nodes."), "");
+        assert_eq!(
+            shortened("gusset_net_get_view", "Lends the nodes.\n@complexity O(nodes)."),
+            "/// Lends the nodes.\n/// @complexity O(nodes).\n"
+        );
+    }
+}

@@ -129,9 +129,11 @@ impl LoopOnLine {
         }
     }
 
-    /// Returns the range in which a line may pierce the loop: the middle half of its width.
+    /// Returns the range in which a line may pierce the loop: the middle half of its width. Its start never exceeds
+    /// its end, not even where rounding would exchange them.
     fn middle_half(&self) -> [f64; 2] {
-        [0.75 * self.low + 0.25 * self.high, 0.25 * self.low + 0.75 * self.high]
+        let [low, high] = [0.75 * self.low + 0.25 * self.high, 0.25 * self.low + 0.75 * self.high];
+        [low.min(high), low.max(high)]
     }
 
     fn add_crossing(&mut self, height: f64) {
@@ -240,4 +242,30 @@ fn find_open_loops(
         walked.for_each(|(_, crossed)| open.toggle(ranks.rank_of_loop[*crossed as usize]));
     }
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Each loop gets one line within its width, also loops as narrow as a few roundings.
+        #[test]
+        fn every_loop_is_pierced(loops in prop::collection::vec((-4.0..4.0f64, 0u64..4), 1..40)) {
+            let width = |&(low, steps): &(f64, u64)| LoopOnLine {
+                low: low.min(f64::from_bits(low.to_bits() + steps)),
+                high: low.max(f64::from_bits(low.to_bits() + steps)),
+                ..LoopOnLine::new(DVec2::ZERO)
+            };
+            let mut loops: Vec<_> = loops.iter().map(width).collect();
+            let (lines, by_line) = pierce_loops(&mut loops, &Job::default()).unwrap();
+            let mut numbers = by_line.clone();
+            numbers.sort_unstable();
+            prop_assert_eq!(numbers, (0..loops.len() as u32).collect::<Vec<_>>());
+            for PiercingLine { x, loops: range } in &lines {
+                prop_assert!(by_line[range.clone()].iter().map(|&k| loops[k as usize]).all(|own| own.low <= *x && *x <= own.high));
+            }
+        }
+    }
 }
