@@ -60,7 +60,7 @@
  * only if the field f is X. @values: no others. @source: the README lists the papers.
  *
  * Threads. Every function is reentrant. Handles are immutable, except nets, scenes and decoders: do not use one while
- * another thread changes it. Results do not depend on the number of threads.
+ * another thread changes it. A context serves one call at a time. Results do not depend on the number of threads.
  *
  * C99 or later, C++11 or later. Everything is available since version 0.1. */
 
