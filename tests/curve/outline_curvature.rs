@@ -6,6 +6,7 @@
 
 use crate::common::some_of;
 use crate::outline_data::{Line, adversarial, check, outlines, random, size, solve, solve_with};
+use crate::outline_solvers::within_limits;
 use glam::DVec3;
 use gusset::curve::{
     Constraint, CurveView, Fit, FitStatus, JointParameter, Lock, Method, Options, Outlines, PointConstraint,
@@ -286,7 +287,7 @@ fn the_locks_hold() {
             for i in (0..n).filter(|&i| fit.statuses()[i] == PointStatus::Ok) {
                 let [a, p, c] = [(i + n - 1) % n, i, (i + 1) % n].map(|k| line.points[k]);
                 let (place, segment) = (fit.place(i), fit.curve(0).segment(i));
-                let t = |a: DVec3, c: DVec3| (root(a, p) / (root(a, p) + root(p, c))).clamp(1.0 / 6.0, 5.0 / 6.0);
+                let t = |a: DVec3, c: DVec3| within_limits(root(a, p) / (root(a, p) + root(p, c)));
                 assert_eq!(segment.len(), 4);
                 let off = match lock {
                     Lock::Parameter => (place.t - t(a, c)).abs(),

@@ -1,5 +1,6 @@
 //! Loops that the points lack, and crowded points: the statuses agree with dense samples of the curve.
 
+use crate::common::some_of;
 use crate::outline::{CURVE_KINDS, one};
 use glam::{DVec2, DVec3};
 use gusset::curve::{CurveKind, CurveView, Fit, JointParameter, Method, Options, PointStatus};
@@ -79,15 +80,32 @@ fn loops_by_brute_force(fit: &Fit, points: &[[f64; 2]], samples_per_span: usize)
                 (1..=2).for_each(|by| enter(k + by, size));
             }
         }
+        // Across runs of close points.
+        let place = |k: usize| DVec2::from_array(points[stop(k)]);
+        let leg = |k: usize| place(k + 1) - place(k);
+        let most = if closed { spans.saturating_sub(3) } else { spans - 1 - k };
+        for by in 3..=most.min(16) {
+            let run = (1..by).map(|i| leg(k + i).length()).sum::<f64>();
+            let longer = leg(k).length().max(leg(k + by).length());
+            if run < 0.5 * longer && !turn_back([leg(k), place(k + by) - place(k + 1), leg(k + by)], 1e-6) {
+                let farther = (k + by) % spans;
+                if let Some(length) = largest_loop(&ends[k], &starts[farther], false) {
+                    let size = length / lengths[k].min(lengths[farther]);
+                    (1..=by).for_each(|by| enter(k + by, size));
+                }
+            }
+        }
     }
     found
 }
 
-/// Points at random: anywhere, in ascending order of x, walks, on a grid, spirals, and walks with near repeats.
+/// Points at random: anywhere, in ascending order of x, walks, on a grid, spirals, walks with near repeats, and walks
+/// with runs of close points.
 fn random_points(random: &mut fastrand::Rng, kind: usize, count: usize) -> Vec<[f64; 2]> {
     let (mut x, mut place) = (0.0, DVec2::ZERO);
     let (turn, shrink) = (0.3 + 2.5 * random.f64(), 0.8 + 0.19 * random.f64());
     let (far, unit) = (if random.u8(..5) == 0 { 100.0 } else { 0.0 }, 4f64.powi(random.i32(-6..6)));
+    let run = 10f64.powf(-1.0 - 3.0 * random.f64());
     let side = |random: &mut fastrand::Rng| 2.0 * random.f64() - 1.0;
     let next = |i: usize| {
         let point = match kind {
@@ -102,6 +120,11 @@ fn random_points(random: &mut fastrand::Rng, kind: usize, count: usize) -> Vec<[
                 place
             }
             4 => DVec2::new(f64::from(random.u8(..4)), f64::from(random.u8(..4))),
+            6 => {
+                let step = if i % 8 < 5 { run } else { 1.0 };
+                place += step * DVec2::new(0.2 + random.f64(), side(random));
+                place
+            }
             _ => shrink.powi(i as i32) * DVec2::from_angle(turn * i as f64),
         };
         ((point + far) * unit).to_array()
@@ -112,9 +135,9 @@ fn random_points(random: &mut fastrand::Rng, kind: usize, count: usize) -> Vec<[
 #[test]
 fn loops_agree_with_brute_force() {
     let mut random = fastrand::Rng::with_seed(12);
-    let (mut looped, mut calm) = ([0; 6], [0; 6]);
-    for case in 0..1200 {
-        let (kind, count) = (case % 6, 3 + random.usize(..12));
+    let (mut looped, mut calm) = ([0; 7], [0; 7]);
+    for case in 0..1400 {
+        let (kind, count) = (case % 7, 3 + random.usize(..12));
         let points = random_points(&mut random, kind, count);
         let (curve_kind, joint) = [
             (CurveKind::Composite, JointParameter::Half),
@@ -123,7 +146,7 @@ fn loops_agree_with_brute_force() {
             (CurveKind::BlendC2, JointParameter::Half),
             (CurveKind::Composite, JointParameter::Knot),
             (CurveKind::Composite, JointParameter::G2),
-        ][case / 6 % 6];
+        ][case / 7 % 6];
         let method = [Method::Median, Method::Bisector, Method::Normal, Method::Symmedian][random.usize(..4)];
         let corner_angle = if random.u8(..3) == 0 { 1.2 } else { 9.0 };
         let options = Options { curve: curve_kind, joint, method, corner_angle, ..Options::default() };
@@ -163,6 +186,67 @@ fn waypoints_that_are_crowded() {
     };
     assert!(statuses(Method::Median).contains(&PointStatus::Looped));
     assert!(!statuses(Method::Bisector).contains(&PointStatus::Looped));
+}
+
+/// Points on an oval in order, of which a few are closer than the others.
+fn oval_with_close_points(random: &mut fastrand::Rng) -> Vec<[f64; 2]> {
+    let count = 5 + random.usize(..10);
+    let mut angles: Vec<f64> = (0..count).map(|k| TAU * (k as f64 + 0.5 * random.f64()) / count as f64).collect();
+    let gap = 10f64.powf(-4.0 + 3.0 * random.f64()) * TAU / count as f64;
+    let mut angle = angles[random.usize(..count)];
+    for _ in 0..random.usize(1..6) {
+        angle += gap * (0.2 + random.f64());
+        angles.push(angle);
+    }
+    angles.sort_by(f64::total_cmp);
+    let (height, unit) = (0.5 + random.f64(), 4f64.powi(random.i32(-6..6)));
+    angles.iter().map(|t| [unit * t.cos(), unit * height * t.sin()]).collect()
+}
+
+#[test]
+fn curves_through_close_points_have_hardly_any_loops() {
+    let mut random = fastrand::Rng::with_seed(31);
+    let (mut looped, mut calm) = (0, 0);
+    for case in some_of(8, 0..2000) {
+        let points = oval_with_close_points(&mut random);
+        for joint in [JointParameter::Half, JointParameter::Knot] {
+            let closed = case % 3 > 0;
+            let fit = one(&points, closed, &[], &Options { joint, ..Options::default() });
+            let curve = fit.curve(0);
+            let spans = points.len() - usize::from(!closed);
+            // All pairs of chords of the whole curve.
+            let dense: Vec<DVec2> = (0..spans)
+                .flat_map(|k| {
+                    let mut span = samples(&fit, &curve, [k, (k + 1) % points.len()], Ordering::Equal, 24);
+                    if k + 1 < spans {
+                        span.pop();
+                    }
+                    span
+                })
+                .collect();
+            // The ends of a closed curve meet.
+            let dense = &dense[..dense.len() - usize::from(closed)];
+            let is_looped = fit.statuses().contains(&PointStatus::Looped);
+            let name = format!("case {case}, {joint:?}: {points:?}");
+            if largest_loop(dense, dense, true).is_some() {
+                assert!(is_looped, "{name}");
+            }
+            if !is_crowded(&points, closed) {
+                (looped, calm) = (looped + usize::from(is_looped), calm + usize::from(!is_looped));
+            }
+        }
+    }
+    assert!(300 * looped < calm, "{looped} of {calm}");
+}
+
+/// Whether a distance is below a ten-thousandth of one beside it.
+fn is_crowded(points: &[[f64; 2]], closed: bool) -> bool {
+    let n = points.len();
+    let leg = |k: usize| DVec2::from(points[k % n]).distance(DVec2::from(points[(k + 1) % n]));
+    let legs = if closed { n } else { n - 1 };
+    (0..if closed { n } else { n - 2 })
+        .map(|k| [leg(k), leg((k + 1) % legs.max(1))])
+        .any(|[u, v]| u.min(v) < 1e-4 * u.max(v))
 }
 
 #[test]

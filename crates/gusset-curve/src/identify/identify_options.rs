@@ -143,7 +143,8 @@ pub struct Options {
     /// The ends of open outlines; constraints take precedence.
     pub ends: Ends,
     /// The parameter of a point stays between this and 1 minus this; 0.001 <= `parameter_limit` <
-    /// 1/2.
+    /// 1/2. Limits such as 1/6 make loops at points that are close together. The default, 0.01,
+    /// limits the bisector only at points that are crowded.
     pub parameter_limit: f64,
     /// Neighbours closer than this, times the size of the outline, are merged. At least 0.
     pub repeat_tolerance: f64,
@@ -174,7 +175,7 @@ impl Default for Options {
             joint: JointParameter::default(),
             solver: Solver::default(),
             ends: Ends::default(),
-            parameter_limit: 1.0 / 6.0,
+            parameter_limit: 0.01,
             repeat_tolerance: 1e-12,
             corner_angle: std::f64::consts::PI,
             tolerance: 1e-12,

@@ -9,7 +9,8 @@
 //!   on which control points lie.
 //! - nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, its parts,
 //!   and the curve through it.
-//! - loops, span_lanes, arc_crossing: loops of the curve. crowded: nodes that almost repeat a neighbour.
+//! - loops, crowded_runs, span_lanes, arc_crossing, spans: loops of the curve. crowded: nodes that almost repeat a
+//!   neighbour.
 //! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`CurveKind`]).
 //! - driver: [`fit()`], which distributes outlines to threads.
 //!
@@ -20,6 +21,7 @@ mod arc_crossing;
 mod blended_curve;
 mod composite;
 mod crowded;
+mod crowded_runs;
 mod cubic_spline;
 mod curve_builder;
 mod outline_fitting;
@@ -37,6 +39,7 @@ mod sections;
 mod single;
 mod composite_solution;
 mod span_lanes;
+mod spans;
 mod stepping;
 mod subcurve;
 

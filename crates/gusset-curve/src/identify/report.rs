@@ -57,10 +57,12 @@ pub enum PointStatus {
     Cusp = 18,
     /// The curve crosses itself here although the points do not. A span, the curve between two
     /// consecutive points, crosses itself (both its ends have this status), the next span (the point
-    /// between both), or the next but one (both points between). The last case does not count if the
-    /// lines between the points turn by a half turn or more, or reverse. Loops shorter than a
-    /// twentieth of a span may be missed. In space, the loop's ends are at most a twentieth of its
-    /// size apart. Crowded points and the median are the usual causes; the bisector avoids it.
+    /// between both), or the next but one (both points between). Or the spans at both ends of a run
+    /// of close points cross (all points of the run). The last two cases do not count if the lines
+    /// between the points turn by a half turn or more, or reverse. Loops shorter than a twentieth of
+    /// a span may be missed. In space, the loop's ends are at most a twentieth of its size apart.
+    /// Crowded points and the median are the usual causes. The bisector avoids most loops, and
+    /// [`Options::repeat_tolerance`](super::Options) merges close points.
     Looped = 19,
     /// The point is far closer to a neighbour than both are to their other neighbours: below a
     /// hundredth of both distances, or a ten-thousandth of one. The curve may turn there in any way.

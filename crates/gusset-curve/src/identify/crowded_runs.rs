@@ -1,0 +1,88 @@
+//! Loops around crowded runs: runs of points that are far closer to each other than to the points before or after.
+//!
+//! A curve that overshoots at such points may cross itself beyond all of them: the span before the run crosses the
+//! span after it. A run has two legs or more, the lines between its points. They are together shorter than half of
+//! the leg before the run, or of the leg after it. A run counts as one line where the turn of the lines is asked
+//! for. Runs of more than [`MAX_SPANS_ACROSS_RUN`] spans are not searched. O(n).
+
+use super::arc_crossing::{Arc, Crossing, CrossingSearch};
+use super::spans::{Spans, do_lines_turn_back};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+
+/// The legs of a run are together shorter than this fraction of the longer leg at its ends.
+const MAX_RELATIVE_RUN_LENGTH: f64 = 0.5;
+/// A span is compared with spans across a run at least this many places apart. Closer ones are neighbours.
+const MIN_SPANS_ACROSS_RUN: usize = 3;
+/// A span is compared with spans across a run at most this many places apart.
+const MAX_SPANS_ACROSS_RUN: usize = 16;
+
+/// Appends the places of the points in runs whose ends cross.
+pub(super) fn find_loops_across_runs(
+    spans: &Spans<'_>,
+    arcs: &mut Vec<Arc>,
+    points_at_loops: &mut Vec<usize>,
+) -> Result<()> {
+    let count = spans.len();
+    let mut enter = |k: usize, by: usize| {
+        if !do_ends_of_run_cross(spans, k, by, arcs)? {
+            return Ok(());
+        }
+        alloc::extend(points_at_loops, (k + 1..=k + by).map(|place| place % spans.point_count))
+    };
+    // Both spans at the ends of a run are neighbours from the other side if few spans are left there.
+    let most = MAX_SPANS_ACROSS_RUN.min(count.saturating_sub(if spans.closed { MIN_SPANS_ACROSS_RUN } else { 1 }));
+    let last = count.saturating_sub(1);
+    let (mut leg_before, mut longest) = (leg_length(spans, if spans.closed { last } else { 0 }), leg_length(spans, 0));
+    for k in 0..count {
+        let leg_after = leg_length(spans, k + 1);
+        let is_short = |run: f64| run < MAX_RELATIVE_RUN_LENGTH * longest;
+        // The run after a long leg.
+        let mut run = leg_after;
+        let mut by = 2;
+        while is_short(run) && by <= if spans.closed { most } else { most.min(last - k) } {
+            if by >= MIN_SPANS_ACROSS_RUN {
+                enter(k, by)?;
+            }
+            run += leg_length(spans, k + by);
+            by += 1;
+        }
+        // The run before it, unless the leg before the run is long too.
+        let mut run = leg_before;
+        let mut by = 2;
+        while is_short(run) && by <= if spans.closed { most } else { most.min(k) } {
+            let first = if k >= by { k - by } else { k + count - by };
+            let first_leg = leg_length(spans, first);
+            if by >= MIN_SPANS_ACROSS_RUN && run >= MAX_RELATIVE_RUN_LENGTH * first_leg {
+                enter(first, by)?;
+            }
+            run += first_leg;
+            by += 1;
+        }
+        (leg_before, longest) = (longest, leg_after);
+    }
+    Ok(())
+}
+
+/// The length of the line between the points of span k.
+#[inline]
+fn leg_length(spans: &Spans<'_>, k: usize) -> f64 {
+    spans.point_of_span_start(k).distance(spans.point_of_span_start(k + 1))
+}
+
+/// Returns whether span k crosses the one some places after it.
+fn do_ends_of_run_cross(spans: &Spans<'_>, k: usize, by: usize, arcs: &mut Vec<Arc>) -> Result<bool> {
+    let ends: [DVec3; 4] = [k, k + 1, k + by, k + by + 1].map(|i| spans.point_of_span_start(i));
+    if do_lines_turn_back(&ends) {
+        return Ok(false);
+    }
+    let Some(plane) = spans.find_plane_near_spans(k, &ends) else { return Ok(false) };
+    arcs.clear();
+    spans.append_arcs(k, 0.0, &plane, arcs)?;
+    let own = arcs.len();
+    spans.append_arcs(k + by, by as f64, &plane, arcs)?;
+    let is_loop = |crossing: Crossing| spans.is_turn_closed(k, &plane, crossing);
+    let search = CrossingSearch { is_accepted_crossing: if plane.is_xy { None } else { Some(&is_loop) } };
+    Ok(search.do_cross_between(&arcs[..own], &arcs[own..], false))
+}
