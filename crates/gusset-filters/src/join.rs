@@ -208,7 +208,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
             Reason::Alone => "there is no other loop".to_owned(),
             Reason::TooFar => {
                 format!(
-                    "the nearest loop is {} away, and {} is allowed",
+                    "the nearest loop is {} away, and {} is allowed: raise the parameter max_gap to join it",
                     format_short(left.gap),
                     format_short(left.allowed_gap)
                 )
