@@ -65,7 +65,7 @@ help:
 	@echo 'make figures                      draws the figures of the papers anew, into docs/figures'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
-	@echo 'make kinds [ONLY=tubes]           random cases of each kind of fault that people report, judged by trimesh; minutes'
+	@echo 'make kinds [ONLY=tubes] [SEED=1]  random cases of each kind of fault that people report, judged by trimesh and CGAL; minutes'
 	@echo 'make cli                          the program gusset, its manual and its completions, into build/cli'
 	@echo 'make scans FOLDER=views OUT=model.ply  overlapping scans of a folder, PLY files, made one closed mesh; pictures if PyVista is there'
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
@@ -264,13 +264,14 @@ figures: stage
 bench: stage files
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' '$(files)' $(bench_packages)
 
-# Random cases of each kind of fault that people report, and the small cases of ../shared/data. Needs cffi, numpy, scipy, trimesh in PYTHON.
+# Random cases of each kind of fault that people report, and the small cases of ../shared/data. Needs cffi, numpy, scipy, trimesh in PYTHON; intersections
+# are judged if there are a C++ compiler and CGAL.
 PYTHON ?= python3
 kinds: build files
 	@cd python && $(PYTHON) build_backend.py ../$(release)/libgusset.so ../build/kinds/gusset_mesh ../$(release)/libgusset_files.so
 	@cp python/gusset_mesh/*.py python/gusset_mesh/py.typed build/kinds/gusset_mesh
 	PYTHONPATH=build/kinds $(PYTHON) bench/reported.py '$(or $(GUSSET_DATA),$(abspath ../shared/data))/cases'
-	PYTHONPATH=build/kinds $(PYTHON) bench/kinds.py --only '$(ONLY)'
+	PYTHONPATH=build/kinds $(PYTHON) bench/kinds.py --only '$(ONLY)' --seed '$(or $(SEED),0)'
 
 # Strips debug data of both. The static library also loses the Rust compiler's bitcode, half of its size, which C
 # linkers ignore and nm misreads beside clang.

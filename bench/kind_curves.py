@@ -44,6 +44,30 @@ def concave_polygons(random):
     return Case(lambda: (gm.triangulate(given).mesh, ""), lambda look: close(look.area / place.size**2, area, 1e-9))
 
 
+def keyholes(random):
+    """Walls with windows, whose sides are cut open between the outline and each window: closed solids."""
+    windows, thick, place = int(random.integers(1, 5)), 0.1 + random.random(), Place(random)
+    w, h = windows * (1 + random.random()), 1 + 2 * random.random()
+    # Each window has a share of the width. All sills are at one height, so that no cut crosses a window.
+    sill, part = random.uniform(0.2, 0.4) * h, w / windows
+    rings = [np.array([(0, 0), (w, 0), (w, h), (0, h)])]
+    for k in range(windows):
+        x, dx, dy = k * part + random.uniform(0.1, 0.3) * part, random.uniform(0.2, 0.6) * part, random.uniform(0.2, 0.5) * h
+        rings.append(np.array([(x, sill), (x, sill + dy), (x + dx, sill + dy), (x + dx, sill)]))
+    flat, count = np.concatenate(rings), 4 * (windows + 1)
+    outline = [0, 1, 2, 3]
+    for k in range(1, windows + 1):
+        outline += [0, *range(4 * k, 4 * k + 4), 4 * k]
+    corners = np.arange(count)
+    after = corners - corners % 4 + (corners + 1) % 4
+    points = np.concatenate([np.column_stack([flat, np.full(count, z)]) for z in (0, thick)])
+    faces = [np.array(outline)[::-1], np.array(outline) + count, *np.stack([corners, after, after + count, corners + count], axis=1)]
+    given = gm.Mesh(place.points(points), [face.astype(np.uint32) for face in faces])
+    volume = sum(polygon_area(ring) for ring in rings) * thick
+    return Case(lambda: (gm.triangulate(given).mesh, ""),
+                lambda look: look.closed and look.euler == 2 - 2 * windows and close(look.volume / place.size**3, volume, 1e-9))
+
+
 def prisms(random):
     """Prisms over concave polygons: closed, with the volume of base times height."""
     flat, place, height = (spikes, comb)[random.integers(2)](random), Place(random), 0.5 + random.random()
@@ -235,4 +259,4 @@ def nested_polygons(random):
     return Case(lambda: filters.strip(curves), lambda look: look.flat == 0 and close(look.area / place.size**2, area))
 
 
-CURVES = (concave_polygons, prisms, rectangles, equal_sections, tips, networks, crowded_points, tight_points, almost_repeated, stars, nested_polygons)
+CURVES = (concave_polygons, keyholes, prisms, rectangles, equal_sections, tips, networks, crowded_points, tight_points, almost_repeated, stars, nested_polygons)

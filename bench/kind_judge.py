@@ -10,11 +10,14 @@ import trimesh
 
 @dataclass
 class Case:
-    """Run gives the result and the report; right judges what trimesh sees in the result."""
+    """Run gives the result and the report; right judges what trimesh sees in the result, or if raw the result itself.
+
+    Given are the meshes it is made of, if these may intersect each other."""
 
     run: Callable
     right: Callable
     raw: bool = False
+    given: tuple = ()
 
 
 class Place:
@@ -38,6 +41,7 @@ class Look:
     def __init__(self, mesh):
         used, triangles = np.unique(mesh.triangles(), return_inverse=True)
         points, triangles = np.asarray(mesh.points, dtype=float)[used], triangles.reshape(-1, 3)
+        self.mesh = points, triangles
         seen = trimesh.Trimesh(points, triangles, process=False)
         self.area, self.consistent = float(seen.area), bool(seen.is_winding_consistent)
         self.closed = bool(seen.is_watertight and seen.is_winding_consistent)

@@ -60,7 +60,10 @@ def soup(points, faces):
 
 
 def tubes(random):
-    """Tubes of different numbers of segments whose rims share points but not edges."""
+    """Tubes of different numbers of segments whose rims share points but not edges.
+
+    Rims of 2 k and 3 k segments, or of 3 k and 4 k, cross: both are chords of one circle, and between two common points no
+    vertex of one is a vertex of the other, so that their vertices alternate. Such tubes intersect where the rims do."""
     common, (first, second) = int(random.integers(3, 7)), random.choice([1, 2, 3, 4], 2, replace=False)
     m, n = common * int(first), common * int(second)
     place = Place(random)
@@ -70,7 +73,7 @@ def tubes(random):
     def right(look):
         shared = common * np.gcd(first, second)
         return look.loops == sorted([m, n]) and look.euler == 0 and look.flat == 0 and look.consistent and look.vertices == 2 * (m + n) - shared
-    return Case(lambda: filters.join(*pieces), right)
+    return Case(lambda: filters.join(*pieces), right, given=tuple(pieces))
 
 
 def strips(random):
@@ -168,7 +171,7 @@ def debris(random):
         scraps.append((corner + 0.1 * random.standard_normal((2 + count, 3)), np.array([[0, 1, 2], [2, 1, 3]])[:count]))
     whole = place(united((points, kept), *scraps))
     rims = sorted(len(p) for p, _ in scraps)
-    return Case(lambda: filters.fill(whole), lambda look: look.loops == rims and look.flat == 0 and look.bodies == 1 + loose)
+    return Case(lambda: filters.fill(whole), lambda look: look.loops == rims and look.flat == 0 and look.bodies == 1 + loose, given=(whole,))
 
 
 def unsewn(random):

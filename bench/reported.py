@@ -1,6 +1,7 @@
 """The small cases of ../shared/data/cases, one row each: what is expected, and what the default gives now. `python bench/reported.py
-FOLDER` needs gusset_mesh, numpy, scipy and trimesh. Elbows, islands and rims that coincide in part have tests and benchmarks of their own."""
+FOLDER` needs gusset_mesh, numpy, scipy and trimesh."""
 
+import gzip
 import sys
 import tempfile
 from pathlib import Path
@@ -16,7 +17,12 @@ FOLDER = Path(sys.argv[1] if len(sys.argv) > 1 else "../shared/data/cases")
 
 
 def read(name):
-    return gm.read(FOLDER / name)
+    if not name.endswith(".gz"):
+        return gm.read(FOLDER / name)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / name.removesuffix(".gz")
+        path.write_bytes(gzip.decompress((FOLDER / name).read_bytes()))
+        return gm.read(path)
 
 
 def look(name):
@@ -50,6 +56,15 @@ def state(made):
 
 def joined(*names, **options):
     return state(filters.join(*map(read, names), **options)[0])
+
+
+def pair(name):
+    return [read(f"{name}_{side}.off.gz") for side in "ab"]
+
+
+def trimmed(name):
+    made = Look(filters.join(*pair(name), overlaps="trim")[0])
+    return f"bodies {made.bodies}, loops {made.loops}, flat faces {made.flat}"
 
 
 def ends_of_loft():
@@ -136,6 +151,11 @@ CASES = [
     ("far_west + far_east", "one body", lambda: joined("far_west.obj", "far_east.obj")),
     ("shed_split_ridge.obj", "V 12, volume 177.2", lambda: joined("shed_split_ridge.obj")),
     ("ring_big.STL, fill", "closed, V - E + F = 0", lambda: state(filters.fill(read("ring_big.STL"))[0])),
+    *((f"{name}, stitch", "one body, loops [40, 48], no flat faces", lambda name=name: state(filters.stitch(*pair(name))[0]))
+      for name in ("elbow75", "elbow90")),
+    ("lost_island, overlaps=trim", "the island stays: 2 bodies", lambda: trimmed("lost_island")),
+    *((name, "loops [48, 48], no flat faces", lambda name=name: state(filters.join(*pair(name))[0]))
+      for name in ("partial_coincidence0", "partial_coincidence2")),
     ("sections_step.obj", "radius 1 between equal sections", radius_of_step),
     ("sections_two_rectangles.obj", "areas 50 and 32", ends_of_loft),
     ("sections_to_a_point.obj", "a closed tip: one loop, V - E + F = 1", lambda: state(filters.loft(*curves("sections_to_a_point.obj"))[0])),
