@@ -70,8 +70,10 @@ fn search(headers: &[&str]) -> String {
     let tables: Vec<_> = headers.iter().map(|header| format!("{header}::CHOICES")).collect();
     let _ = write!(
         code,
-        "\n/// For each header, the name of each choice, and its constants with their texts.\n#[rustfmt::skip]\n\
-         static TABLES: [&[(&str, &[(u32, &CStr)])]; {}] = [\n    {},\n];\n\n\
+        "\n/// The name of a choice, and its constants with their texts.\n\
+         type Choice = (&'static str, &'static [(u32, &'static CStr)]);\n\n\
+         /// The choices of each header.\n#[rustfmt::skip]\n\
+         static TABLES: [&[Choice]; {}] = [\n    {},\n];\n\n\
          /// The text of a constant of a choice; none if either is unknown.\n\
          pub(super) fn choice_text(choice: &str, value: u32) -> Option<&'static CStr> {{\n    \
          let (_, texts) = TABLES.into_iter().flatten().find(|(name, _)| *name == choice)?;\n    \
