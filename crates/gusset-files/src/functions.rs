@@ -58,7 +58,7 @@ unsafe fn store_parts_or_refusal(result: *mut *mut gusset_file, body: impl FnOnc
     }
     let outcome = catch_unwind(AssertUnwindSafe(body));
     let outcome = outcome.unwrap_or_else(|_| {
-        Err(Refusal { status: GUSSET_FILES_INTERNAL, message: "internal error: please report it".into() })
+        Err(Refusal { status: GUSSET_FILES_INTERNAL, message: "internal error: please report it with the file".into() })
     });
     let outcome = outcome.and_then(|parts| {
         gusset_base::alloc::check_reserve().map_err(|_| ReadError::out_of_memory())?;
@@ -86,14 +86,20 @@ unsafe fn store_parts_or_refusal(result: *mut *mut gusset_file, body: impl FnOnc
 /// `text` is NULL or a C string.
 unsafe fn given_text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> {
     if text.is_null() {
-        return Err(Refusal::argument(format!("{name} is NULL")));
+        return Err(Refusal::argument(format!("{name} is NULL; it must not be")));
     }
     // SAFETY: the caller's promise.
-    unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| Refusal::argument(format!("{name} is not UTF-8")))
+    unsafe { CStr::from_ptr(text) }
+        .to_str()
+        .map_err(|_| Refusal::argument(format!("{name} is not valid UTF-8; encode it as UTF-8")))
 }
 
 fn check_flags(flags: u32, known: u32) -> Result<(), Refusal> {
-    if flags & !known == 0 { Ok(()) } else { Err(Refusal::argument(format!("flags: {flags} has unknown bits"))) }
+    if flags & !known == 0 {
+        Ok(())
+    } else {
+        Err(Refusal::argument(format!("flags is {flags}; it must be a sum of the flags of this call, at most {known}")))
+    }
 }
 
 fn named_format(name: &str) -> Result<Format, Refusal> {
@@ -116,7 +122,7 @@ pub(crate) unsafe extern "C" fn read(
     unsafe {
         store_parts_or_refusal(result, || {
             let format = named_format(given_text(name, "name")?)?;
-            let bytes = given_bytes(bytes, size).ok_or_else(|| Refusal::argument("bytes is NULL"))?;
+            let bytes = given_bytes(bytes, size).ok_or_else(|| Refusal::argument("bytes is NULL; it must not be"))?;
             check_flags(flags, GUSSET_FILES_JOINED | GUSSET_FILES_UNMERGED)?;
             let options = ReadOptions { merge_repeated: flags & GUSSET_FILES_UNMERGED == 0, ..ReadOptions::default() };
             let document = gusset_io::read(bytes, format, &Folder::new(folder), &options)?;
@@ -151,7 +157,8 @@ pub(crate) unsafe extern "C" fn write(
         store_parts_or_refusal(result, || {
             let name = given_text(name, "name")?;
             check_flags(flags, GUSSET_FILES_TEXT | GUSSET_FILES_LOSSY)?;
-            let arrays = given_bytes(arrays, size).ok_or_else(|| Refusal::argument("arrays is NULL"))?;
+            let arrays =
+                given_bytes(arrays, size).ok_or_else(|| Refusal::argument("arrays is NULL; it must not be"))?;
             let document = unpack(given_text(document, "document")?, arrays)?;
             encode_document(name, &document, &Folder::new(folder), flags)
         })

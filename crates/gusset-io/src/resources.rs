@@ -23,7 +23,10 @@ pub struct NoResources;
 
 impl Resources for NoResources {
     fn load(&self, name: &str) -> Result<Vec<u8>, ReadError> {
-        Err(ReadError::new(ReadErrorKind::Unreadable, format!("the file {name} was not given")))
+        Err(ReadError::new(
+            ReadErrorKind::Unreadable,
+            format!("the file {name} was not given; give it beside this one"),
+        ))
     }
 }
 

@@ -65,7 +65,7 @@ fn check_offsets(offsets: &[u32], count: usize, end: usize) -> Result<(), String
         return Err(format!("offsets go from {} to {} instead of 0 to {end}", offsets[0], offsets[count]));
     }
     match offsets.windows(2).position(|pair| pair[0] > pair[1]) {
-        Some(place) => Err(format!("offset {} is less than the one before", place + 1)),
+        Some(place) => Err(format!("offset {} is less than the previous one; offsets must not decrease", place + 1)),
         None => Ok(()),
     }
 }
@@ -75,7 +75,7 @@ fn check_mesh(mesh: &Mesh, material_count: usize) -> Result<(), String> {
     let (vertices, faces) = (mesh.positions.len(), mesh.face_offsets.len().saturating_sub(1));
     check_offsets(&mesh.face_offsets, faces, mesh.corners.len())?;
     if let Some(face) = mesh.face_offsets.windows(2).position(|pair| pair[1] - pair[0] < MIN_CORNERS) {
-        return Err(format!("face {face} has {} corners", mesh.face(face).len()));
+        return Err(format!("face {face} has {} corners; it needs at least three", mesh.face(face).len()));
     }
     // A pass without a branch finds out first whether there is anything to find.
     let largest = mesh.corners.iter().fold(0, |largest, &vertex| vertex.max(largest));
@@ -90,7 +90,9 @@ fn check_mesh(mesh: &Mesh, material_count: usize) -> Result<(), String> {
     for (vertex, &representative) in mesh.merge.iter().enumerate() {
         check_index(representative, vertices, "representative")?;
         if mesh.merge[representative as usize] != representative {
-            return Err(format!("vertex {vertex}: the representative {representative} does not represent itself"));
+            return Err(format!(
+                "vertex {vertex}: the representative {representative} does not represent itself; name a vertex that stays"
+            ));
         }
     }
     check_values(&mesh.normals, mesh, "normals")?;

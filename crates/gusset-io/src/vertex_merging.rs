@@ -172,7 +172,10 @@ impl<T: Coordinate> VertexMerger<T> {
     /// Makes a table of a number of slots, which is a power of two.
     fn rebuild(&mut self, slot_count: usize) -> Result<(), ReadError> {
         if self.points.len() > MAX_VERTICES - BATCH_POINTS {
-            return Err(ReadError::new(ReadErrorKind::TooLarge, "the file has more than 2^31 different points"));
+            return Err(ReadError::new(
+                ReadErrorKind::TooLarge,
+                "the file has more than 2^31 different points; split it",
+            ));
         }
         self.slots = Vec::new();
         self.slots.try_reserve_exact(slot_count)?;

@@ -54,7 +54,7 @@ pub(super) fn append_faces(
     notes: &mut Vec<Note>,
 ) -> Result<(), ReadError> {
     if mesh.corners.len() as u64 + 3 * indices.len() as u64 >= u64::from(u32::MAX) {
-        return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 corners"));
+        return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 corners; split it"));
     }
     if mode != Mode::Triangles {
         return append_strip(mesh, mode, &indices);

@@ -159,7 +159,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
     ) -> Result<[u32; 2], ReadError> {
         let (start, count) = (self.mesh.positions.len(), positions.count);
         if start as u64 + count as u64 >= u64::from(u32::MAX) {
-            return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 vertices"));
+            return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 vertices; split it"));
         }
         append_positions(&mut self.mesh.positions, positions, self.accessors)?;
         if let Some(normals) = self.read_attribute::<3, f64>(source[1], count, "NORMAL", |x| x)? {

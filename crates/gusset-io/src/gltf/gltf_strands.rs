@@ -94,7 +94,7 @@ fn place_lines(curves: &mut Curves, strands: &Strands, transform: &Matrix) -> Re
     let all = doubles(&mut curves.positions)?;
     let start = all.len() as u64;
     if start + strands.positions.len() as u64 >= u64::from(u32::MAX) {
-        return Err(ReadError::new(ReadErrorKind::TooLarge, "the lines have more than 2^32 - 2 points"));
+        return Err(ReadError::new(ReadErrorKind::TooLarge, "the lines have more than 2^32 - 2 points; split them"));
     }
     all.try_reserve(strands.positions.len())?;
     all.extend(strands.positions.iter().map(|&point| transformed(transform, point)));

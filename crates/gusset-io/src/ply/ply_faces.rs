@@ -156,7 +156,7 @@ impl FaceParts {
 
 fn end_of_face(corners: &[u32]) -> Result<u32, ReadError> {
     u32::try_from(corners.len())
-        .map_err(|_| ReadError::new(ReadErrorKind::TooLarge, "the mesh has more than 2^32 - 1 corners"))
+        .map_err(|_| ReadError::new(ReadErrorKind::TooLarge, "the mesh has more than 2^32 - 1 corners; split it"))
 }
 
 /// Appends two numbers for each corner; missing ones if the list has another length.

@@ -29,7 +29,7 @@ pub(super) fn read_vertices<R: Rows>(
     notes: &mut Vec<Note>,
 ) -> Result<(), ReadError> {
     if mesh.positions.len() as u64 + believed as u64 >= u64::from(u32::MAX) {
-        return Err(ReadError::new(ReadErrorKind::TooLarge, "the mesh has more than 2^32 - 2 vertices"));
+        return Err(ReadError::new(ReadErrorKind::TooLarge, "the mesh has more than 2^32 - 2 vertices; split it"));
     }
     let first_colour = mesh.vertex_colours.len();
     let mut filling = Filling::new(element, columns, parts, believed, mesh)?;

@@ -252,8 +252,9 @@ impl<'a> TableReader<'a> {
             .filter(|bit| self.point_marks.iter().skip(1).any(|mark| mark & bit == 0))
             .fold(0, |all, bit| all | bit);
         let blanks = if self.point_marks.iter().skip(1).any(|mark| mark & BREAK_BIT == 0) { BREAK_BIT } else { 0 };
-        let count = u32::try_from(self.points.len())
-            .map_err(|_| ReadError::new(crate::ReadErrorKind::TooLarge, "the file has more than 2^32 - 1 points"))?;
+        let count = u32::try_from(self.points.len()).map_err(|_| {
+            ReadError::new(crate::ReadErrorKind::TooLarge, "the file has more than 2^32 - 1 points; split it")
+        })?;
         let mut positions: Vec<[f64; 3]> = Vec::new();
         positions.try_reserve_exact(self.points.len())?;
         let mut curves = Curves::default();

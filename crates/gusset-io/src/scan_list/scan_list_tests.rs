@@ -111,7 +111,10 @@ fn invalid_lists_are_explained() {
         ("bmesh one.ply 0 0 nan 0 0 0 1\n", format!("1: {needs}")),
         ("bmesh", format!("1: {needs}")),
         ("bmesh none.ply 0 0 0 0 0 0 1\n", "1: none.ply: the file does not exist".into()),
-        ("bmesh one.xyy 0 0 0 0 0 0 1\n", "1: one.xyy: the extension is unknown".into()),
+        (
+            "bmesh one.xyy 0 0 0 0 0 0 1\n",
+            "1: one.xyy: the extension is unknown; rename the file after its format".into(),
+        ),
         (
             "bmesh broken.ply 0 0 0 0 0 0 1\n",
             "1: broken.ply:13: face 0, corner 2: vertex 3 does not exist (the mesh has 3)".into(),

@@ -79,7 +79,11 @@ impl<'a> Scene<'a> {
                 return Err(ReadError::unsupported(format!("{name}: a list of scans cannot name another list")));
             }
             Some(format) => format,
-            None => return Err(ReadError::unsupported(format!("{name}: the extension is unknown"))),
+            None => {
+                return Err(ReadError::unsupported(format!(
+                    "{name}: the extension is unknown; rename the file after its format"
+                )));
+            }
         };
         let bytes = self.ledger.load(name)?;
         let beside = Beside { folder: folder(name), ledger: &self.ledger };
@@ -93,8 +97,9 @@ impl<'a> Scene<'a> {
     }
 
     fn append(&mut self, mut scan: Document, name: &str, pose: &Pose) -> Result<(), ReadError> {
-        let too_large =
-            || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 meshes or images");
+        let too_large = || {
+            ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 meshes or images; list fewer")
+        };
         let document = &mut self.document;
         let is_first = self.loaded.is_empty();
         let mesh_start = u32::try_from(document.meshes.len()).map_err(|_| too_large())?;
@@ -224,7 +229,8 @@ fn append_curves(document: &mut Document, added: &crate::Curves, pose: &Pose) ->
         return Ok(());
     }
     let curves = &mut document.unpack_curves;
-    let too_large = || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 points of curves");
+    let too_large =
+        || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 points of curves; list fewer");
     let start = u32::try_from(curves.positions.len()).map_err(|_| too_large())?;
     u32::try_from(curves.positions.len() + added.positions.len()).map_err(|_| too_large())?;
     append_positions(&mut curves.positions, added.positions.try_clone()?, pose)?;

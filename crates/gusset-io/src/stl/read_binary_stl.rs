@@ -34,7 +34,10 @@ pub(super) fn read_binary_stl(bytes: &[u8], options: &ReadOptions) -> Result<Mes
     let facets = facets_of_file(bytes, &mut notes)?;
     let count = facets.len() / FACET_BYTES;
     if count as u64 > u64::from(u32::MAX) / 3 {
-        return Err(ReadError::new(ReadErrorKind::TooLarge, format!("the file has {count} facets")));
+        return Err(ReadError::new(
+            ReadErrorKind::TooLarge,
+            format!("the file has {count} facets; the limit is 2^32 / 3, so split it"),
+        ));
     }
     let mut mesh = if options.merge_repeated { merged_facets(facets)? } else { separate_facets(facets)? };
     read_colours(&bytes[..HEADER_BYTES], facets, &mut mesh, &mut notes)?;

@@ -197,7 +197,7 @@ impl TextReader<'_> {
         }
         self.expect(facet, "endfacet")?;
         let end = u32::try_from(self.positions.len())
-            .map_err(|_| ReadError::new(ReadErrorKind::TooLarge, "the file has more than 2^32 corners"))?;
+            .map_err(|_| ReadError::new(ReadErrorKind::TooLarge, "the file has more than 2^32 corners; split it"))?;
         self.offsets.try_reserve(1)?;
         self.offsets.push(end);
         Ok(count)

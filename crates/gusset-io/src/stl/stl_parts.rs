@@ -16,7 +16,10 @@ pub(super) type MeshAndNotes = (Mesh, Vec<Note>);
 /// Makes the corners of a mesh whose corners all have vertices of their own.
 pub(super) fn number_corners(count: usize) -> Result<Vec<u32>, ReadError> {
     if u32::try_from(count).is_err() {
-        return Err(ReadError::new(crate::ReadErrorKind::TooLarge, format!("the file has {count} corners")));
+        return Err(ReadError::new(
+            crate::ReadErrorKind::TooLarge,
+            format!("the file has {count} corners; the limit is 2^32 - 1, so split it"),
+        ));
     }
     make_vector(count, |corner| corner as u32)
 }
