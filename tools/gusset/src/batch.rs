@@ -55,7 +55,12 @@ pub(crate) fn run_all(
                 reports.push(json!({ "file": file.shown(), "error": describe_failure(&failure) }));
                 first_failure.get_or_insert(failure.exit);
             }
-            None => return Err(Failure::new(Exit::Plugin, format!("{}: the work broke off", file.shown()))),
+            None => {
+                return Err(Failure::new(
+                    Exit::Plugin,
+                    format!("{}: the work broke off; please report it with the file", file.shown()),
+                ));
+            }
         }
     }
     if json {

@@ -202,7 +202,7 @@ fn refuse_mixed_output(outputs: &[reading::FileName], json: bool) -> Result<(), 
 fn run_each(filter: Filter, request: &run::RunRequest, batch: &request::BatchOptions) -> Result<Vec<Value>, Failure> {
     let writes = filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text);
     if request.html.is_some() {
-        return Err(Failure::usage("--html shows the result of one file"));
+        return Err(Failure::usage("--html shows the result of one file: name one input"));
     }
     if request.certificate.is_some() {
         return Err(Failure::usage("--certificate is about the result of one file: name it with -o"));

@@ -109,7 +109,7 @@ impl Reading {
         let mut notes: Vec<String> = document.notes.into_iter().map(|note| note.text).collect();
         if document.unpack_curves.closed.is_empty() {
             tell_notes(&shown, &notes);
-            return Err(Failure::file(format!("{shown}: it has no polylines")));
+            return Err(Failure::file(format!("{shown}: it has no polylines; the filter takes curves")));
         }
         let ignored = ignored.into_iter().filter(|&(count, _)| count > 0);
         notes.extend(

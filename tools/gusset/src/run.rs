@@ -5,11 +5,11 @@ use crate::certificate::{check_files, refuse_replacing_mesh, write_certificate};
 use crate::failure::{Exit, Failure, Refusal, counted};
 use crate::html;
 use crate::pieces::{Piece, attribute_names};
-use crate::plugin::{Domain, Filter, Geometry, Inputs, OutputKind, Outputs, RunError};
+use crate::plugin::{Domain, Filter, Geometry, Inputs, OutputKind, Outputs, Param, ParamKind, RunError};
 use crate::reading::{FileName, Reading};
 use crate::report::{describe_curves, describe_geometry, describe_mesh, describe_named_value, describe_values};
 use crate::steering::Steering;
-use crate::values::parse_values;
+use crate::values::{degrees, parse_values};
 use crate::writing::{Writing, print};
 use gusset_io::{Content, Document, Positions};
 use serde_json::{Value, json};
@@ -208,7 +208,7 @@ fn failure(error: RunError, filter: Filter, names: &[String], late: Option<Durat
             let message = named.map_or_else(|| message.clone(), |(name, rest)| format!("{name}{rest}"));
             let mut text = format!("{}: {message} (status {status}", filter.id());
             if let Some(parameter) = parameter {
-                text += &format!(", parameter {parameter}");
+                text += &format!(", parameter {parameter}{}", range_in_degrees(filter, parameter));
             }
             if let Some(name) = name {
                 text += &format!(", input {}: {name}", input.unwrap_or(0) + 1);
@@ -220,6 +220,13 @@ fn failure(error: RunError, filter: Filter, names: &[String], late: Option<Durat
             Failure { exit: Exit::Refused, message: text + ")", refusal }
         }
     }
+}
+
+/// Returns the range of an angle in degrees, as users type it. The library's message has radians.
+fn range_in_degrees(filter: Filter, parameter: &str) -> String {
+    let is_angle = |param: &Param| param.id() == parameter && param.kind() == ParamKind::Angle;
+    let range = filter.params().into_iter().find(is_angle).map(|param| param.range().map(degrees));
+    range.map(|[low, high]| format!(" from {low} to {high} degrees")).unwrap_or_default()
 }
 
 fn write_outputs(

@@ -70,7 +70,12 @@ impl Plugin {
         let tables = tables
             .filter(|tables| tables.abi == GUSSET_PLUGIN_ABI && tables.struct_size >= size_of::<gusset_plugin>())
             .ok_or_else(|| {
-                Failure::new(Exit::Plugin, format!("{name} does not serve hosts of ABI {GUSSET_PLUGIN_ABI}"))
+                Failure::new(
+                    Exit::Plugin,
+                    format!(
+                        "{name} does not serve hosts of ABI {GUSSET_PLUGIN_ABI}; install the library of this program"
+                    ),
+                )
             })?;
         let certificates = CertificateFunctions::find(&library);
         // The tables are used until the program ends.
