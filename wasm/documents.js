@@ -55,7 +55,7 @@ function documentOf(content) {
     return { curves: content };
   }
   if (!content.meshes && !content.curves && !content.points) {
-    throw new TypeError("a document has meshes, curves or points");
+    throw new TypeError("the document has neither meshes, curves nor points: give at least one");
   }
   return content;
 }
@@ -133,7 +133,7 @@ function describedScene(arrays, placements) {
   const transforms = new Float64Array(MATRIX_LENGTH * placements.length);
   placements.forEach(({ transform }, k) => {
     if (transform?.length !== MATRIX_LENGTH) {
-      throw new TypeError(`placement ${k}: transform is not ${MATRIX_LENGTH} numbers, the rows of a 3 x 4 matrix`);
+      throw new TypeError(`placement ${k}: transform has ${transform?.length ?? 0} numbers, not ${MATRIX_LENGTH}, the rows of a 3 x 4 matrix`);
     }
     transforms.set(transform, MATRIX_LENGTH * k);
   });

@@ -9,7 +9,7 @@ export function coordinates(values, what) {
     return values;
   }
   if (typeof values !== "object" || typeof values?.length !== "number") {
-    throw new TypeError(`${what} are missing, or no array`);
+    throw new TypeError(`${what} are ${values === undefined ? "missing" : typeof values}: pass an array`);
   }
   if (typeof values[0] !== "object") {
     return Float64Array.from(values);
@@ -18,7 +18,7 @@ export function coordinates(values, what) {
   for (let k = 0; k < values.length; k++) {
     // Three points of two numbers could be mistaken for two points of three.
     if (values[k]?.length !== 3) {
-      throw new TypeError(`${what}: number ${k} is not x, y, z`);
+      throw new TypeError(`${what}: number ${k} has ${values[k]?.length ?? 0} entries, not x, y and z`);
     }
     packed.set(values[k], 3 * k);
   }
@@ -33,7 +33,7 @@ export function indices(values, what) {
   const given = Array.from(values);
   given.forEach((value, k) => {
     if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) {
-      throw new TypeError(`${what}: number ${k} is ${value}, which is no index`);
+      throw new TypeError(`${what}: number ${k} is ${value}, not an index from 0 to 2^32 - 1`);
     }
   });
   return Uint32Array.from(given);
@@ -102,7 +102,7 @@ export class Curves {
     const count = this.offsets.length - 1;
     this.closed = typeof closed === "boolean" ? new Uint8Array(count).fill(Number(closed)) : Uint8Array.from(closed, Number);
     if (this.closed.length !== count) {
-      throw new TypeError(`closed has ${this.closed.length} entries for ${count} curves`);
+      throw new TypeError(`closed has ${this.closed.length} entries for ${count} curves: give one for each`);
     }
   }
 
@@ -132,7 +132,7 @@ export function meshOf(one) {
     return one;
   }
   if (one?.positions === undefined || one.faces === undefined) {
-    throw new TypeError("a mesh has positions and faces");
+    throw new TypeError(`the mesh lacks ${one?.positions === undefined ? "positions" : "faces"}: pass both`);
   }
   return new Mesh(one.positions, one.faces, one);
 }
@@ -165,7 +165,7 @@ export function given(library, room, inputs, kinds) {
       checkOffsets(made.faces.offsets, made.faces.corners.length, "corners");
       if (made.merge) {
         if (made.merge.length !== made.vertexCount) {
-          throw new TypeError(`merge has ${made.merge.length} entries for ${made.vertexCount} vertices`);
+          throw new TypeError(`merge has ${made.merge.length} entries for ${made.vertexCount} vertices: give one for each`);
         }
         view.merge = room.array(made.merge);
       }
@@ -189,6 +189,6 @@ export function given(library, room, inputs, kinds) {
 /** The library gets the start of the corners, and trusts that the last one exists. */
 function checkOffsets(offsets, length, what) {
   if (offsets.length === 0 || offsets[offsets.length - 1] > length) {
-    throw new TypeError(`offsets end at ${offsets[offsets.length - 1]}, and there are ${length} ${what}`);
+    throw new TypeError(`offsets end at ${offsets[offsets.length - 1]}; they must end at ${length}, the number of ${what}, or before`);
   }
 }

@@ -116,7 +116,7 @@ export class Outputs {
 
   #attributes(room) {
     if (this.#handle === null) {
-      throw new Error("these outputs have been freed");
+      throw new Error("these outputs have been freed: read them before free()");
     }
     const extension = this.#library.call(this.#library.table.extension, room.array(new TextEncoder().encode("attributes/1\0")));
     return this.#library.struct("gusset_plugin_attributes", extension);
@@ -139,13 +139,13 @@ export class Outputs {
     }
     const from = Number.isInteger(index) ? this.#made[index] : null;
     if (!(from instanceof Mesh)) {
-      throw new TypeError(`output ${String(index)} is no mesh`);
+      throw new TypeError(`output ${String(index)} is not a mesh`);
     }
     const domainNumber = numberOf(domains, domain, "domain"), ruleNumber = numberOf(rules, rule, "rule");
     const count = counts(from)[domain], given = this.#inputs.map((one) => one?.[domain] ?? 0);
     const each = components ?? some.length / given[values.indexOf(some)];
     if (!Number.isInteger(each) || each < 1 || values.some((one) => one && one.length % each !== 0)) {
-      throw new TypeError(`values are ${values.map((one) => one?.length ?? 0).join(", ")} numbers, ${each} of each element`);
+      throw new TypeError(`values are ${values.map((one) => one?.length ?? 0).join(", ")} numbers: each array needs ${each} numbers for each element`);
     }
     return library.withRoom((room) => {
       const attributes = this.#attributes(room), channel = room.struct("gusset_plugin_channel"), failure = room.struct("gusset_failure");

@@ -36,7 +36,7 @@ def indices_of(values: ArrayLike, what: str = "indices") -> NDArray[np.uint32]:
             raise ValueError(f"{what} are of the type {array.dtype}, not whole numbers")
         if array.size and (array.min() < 0 or array.max() >= 2**32):
             bad = int(np.flatnonzero((array < 0) | (array >= 2**32))[0])
-            raise ValueError(f"{what}: number {bad} is {array.flat[bad]}, which is no index")
+            raise ValueError(f"{what}: number {bad} is {array.flat[bad]}, not an index from 0 to 2^32 - 1")
         array = array.astype(np.uint32)
     return np.ascontiguousarray(array)
 

@@ -31,12 +31,12 @@ def carried(
     arrays = [None if one is None else np.asarray(one) for one in values]
     given = [one for one in arrays if one is not None]
     if not given:
-        raise ValueError("no input has values")
+        raise ValueError("no input has values: give an array for at least one")
     dtype, shape = np.result_type(*given), given[0].shape[1:]
     if any(one.shape[1:] != shape for one in given):
-        raise ValueError(f"values of the inputs have the shapes {', '.join(str(one.shape) for one in given)}")
+        raise ValueError(f"values of the inputs have the shapes {', '.join(str(one.shape) for one in given)}: all but the first number must agree")
     if dtype not in _TYPES and dtype.kind not in _BY_WAY_OF:
-        raise ValueError(f"values have the type {dtype}, which cannot be mixed")
+        raise ValueError(f"values have the type {dtype}, which cannot be mixed: convert them to numbers")
     numbers = [number_of("gusset_domain", "domain", domain), number_of("gusset_rule", "rule", rule)]
     if rule == "nearest" and dtype.itemsize == 8 and dtype not in _TYPES and dtype.kind in "iu":
         # Nothing is mixed: the halves of a wide number go along as two.

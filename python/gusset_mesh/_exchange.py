@@ -54,8 +54,10 @@ def curve_places(values: CurvePlaces) -> PlaceArray:
     if isinstance(values, PlaceArray):
         return PlaceArray(np.ascontiguousarray(values.array).reshape(-1))
     given = np.asarray(values, np.float64).reshape(-1)
-    if not ((given >= 0) & (given < 2**32)).all():
-        raise ValueError("a place on a curve is segment + t, from 0 to the number of segments")
+    is_place = (given >= 0) & (given < 2**32)
+    if not is_place.all():
+        bad = int(np.flatnonzero(~is_place)[0])
+        raise ValueError(f"place {bad} on the curve is {given[bad]}, not segment + t, from 0 to the number of segments")
     out = PlaceArray.zeros(given.size)
     out.array["segment"], out.array["t"] = np.floor(given), given - np.floor(given)
     return out

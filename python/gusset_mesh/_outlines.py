@@ -34,9 +34,9 @@ def outlines_of(
     for k, tangent in (tangents or {}).items():
         direction = np.asarray(tangent, np.float64)
         if direction.shape not in ((2,), (3,)):
-            raise ValueError(f"a tangent has the shape {direction.shape}, not (2,) or (3,)")
+            raise ValueError(f"the tangent of point {k} has the shape {direction.shape}, not (2,) or (3,)")
         if k in demands:
-            raise ValueError(f"point {k} is a corner and has a tangent")
+            raise ValueError(f"point {k} is a corner and has a tangent: give one of both")
         demands[int(k)] = [*direction.tolist(), 0.0][:3]
     given = ffi.new("struct gusset_constraint[]", max(len(demands), 1))
     for place, (k, direction_) in enumerate(sorted(demands.items())):
@@ -58,6 +58,6 @@ def sections_of(sections: Sequence[ArrayLike], closed: bool) -> Any:
     """Makes a gusset_outlines from consecutive sections of a body, each (n, 2) or (n, 3)."""
     parts = [np.asarray(one, np.float64) for one in sections]
     if not parts or any(one.ndim != 2 or one.shape[1] != parts[0].shape[-1] for one in parts):
-        raise ValueError("sections are arrays (n, 3), or all of them (n, 2)")
+        raise ValueError(f"sections have the shapes {', '.join(str(one.shape) for one in parts) or 'of no array'}, not all (n, 3) or all (n, 2)")
     offsets = np.cumsum([0, *map(len, parts)], dtype=np.uint32)
     return outlines_of(np.concatenate(parts), closed, offsets=offsets)

@@ -169,7 +169,8 @@ class _Writer:
             made["placements"] = [{"name": one.name, "mesh": int(one.mesh)} for one in given.placements]
             matrices = [np.asarray(one.transform, np.float64) for one in given.placements]
             if any(matrix.shape != (3, 4) for matrix in matrices):
-                raise ValueError("a transform of placements does not have the shape (3, 4)")
+                bad = next(k for k, matrix in enumerate(matrices) if matrix.shape != (3, 4))
+                raise ValueError(f"the transform of placement {bad} has the shape {matrices[bad].shape}, not (3, 4)")
             made["transforms"] = self.array("placements", np.reshape(matrices, (-1, 12)), "f64", 12)
         if given.curves is not None:
             curves = given.curves

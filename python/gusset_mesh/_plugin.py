@@ -46,9 +46,9 @@ class Curves:
         """Checks again, because attributes may have been replaced since construction."""
         lists = [(self.offsets, np.uint32), (self.closed, np.uint8)]
         if any(not isinstance(one, np.ndarray) or one.dtype != dtype or one.ndim != 1 or not one.flags.c_contiguous for one, dtype in lists):
-            raise ValueError("offsets and closed are no packed arrays of 32-bit whole numbers and of bytes")
+            raise ValueError("offsets and closed must be packed arrays, of unsigned 32-bit integers and of bytes")
         if len(self.offsets) == 0 or len(self.closed) != len(self.offsets) - 1:
-            raise ValueError("offsets have one number more than there are curves, and closed as many")
+            raise ValueError(f"{len(self.offsets)} offsets and {len(self.closed)} entries of closed: n curves need n + 1 and n")
         self.points = points_of(self.points)
 
     def __len__(self) -> int:
@@ -56,7 +56,7 @@ class Curves:
 
     def __getitem__(self, index: int) -> NDArray[Any]:
         if not -len(self) <= index < len(self):
-            raise IndexError(index)
+            raise IndexError(f"curve {index} does not exist (there are {len(self)})")
         k = index % len(self)
         return self.points[self.offsets[k]:self.offsets[k + 1]]
 
@@ -281,7 +281,7 @@ def table() -> Any:
     """The plugin's table."""
     found = lib.gusset_plugin_entry(lib.GUSSET_PLUGIN_ABI)
     if not found:
-        raise ImportError("the library has no table of this version")
+        raise ImportError(f"the library has no table of version {lib.GUSSET_PLUGIN_ABI}: install the library of this package")
     return found
 
 

@@ -23,7 +23,7 @@ def polygons_of(polydata: Any) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]
         ValueError: it has triangle strips; ``triangulate()`` makes triangles of them.
     """
     if polydata.GetNumberOfStrips():
-        raise ValueError("triangle strips are no polygons: triangulate() makes some of them")
+        raise ValueError("triangle strips are not polygons: call triangulate() first")
     polys = polydata.GetPolys()
     points = numpy_of(polydata.GetPoints().GetData()) if polydata.GetPoints() else np.empty((0, 3))
     return points, numpy_of(polys.GetOffsetsArray()), numpy_of(polys.GetConnectivityArray())

@@ -29,7 +29,7 @@ def bytes_of(data: Any) -> NDArray[np.uint8]:
     """Returns bytes as an array, without a copy."""
     array = data if isinstance(data, np.ndarray) else np.frombuffer(data, np.uint8)
     if array.dtype != np.uint8 or array.ndim != 1 or not array.flags.c_contiguous:
-        raise ValueError("a stream is bytes, or a packed array of them")
+        raise ValueError(f"a stream is bytes or a packed array of bytes, not a {type(data).__name__}")
     return array
 
 

@@ -221,8 +221,9 @@ def triangulate(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress
 def _loops(loops: Iterable[Any]) -> Any:
     """Converts loops: each is a list of vertices, or from :func:`boundary_loops`."""
     given = [loop.vertices if isinstance(loop, LoopView) else loop for loop in loops]
-    if any(np.ndim(loop) != 1 or np.size(loop) == 0 for loop in given):
-        raise ValueError("a loop is a list of vertices")
+    for place, loop in enumerate(given):
+        if np.ndim(loop) != 1 or np.size(loop) == 0:
+            raise ValueError(f"loop {place} has the shape {np.shape(loop)}, not (n,): a loop is a list of vertices")
     arrays = [indices_of(loop, "a loop's vertices") for loop in given]
     # The array is never NULL, which would select all loops.
     return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays] or 1), arrays)
@@ -353,7 +354,7 @@ class Alignment(Reported[AlignmentView]):
         """Moves the pieces to their poses."""
         out = []
         if len(pieces) != len(self.poses):
-            raise ValueError(f"{len(pieces)} pieces for {len(self.poses)} poses")
+            raise ValueError(f"{len(pieces)} pieces for {len(self.poses)} poses: pass the aligned pieces")
         for pose, mesh in zip(self.poses, map(as_mesh, pieces)):
             out.append(mesh.with_points(mesh.points @ pose[:3, :3].T + pose[:3, 3]))
         return out

@@ -101,7 +101,7 @@ def find_merge(
     given = as_mesh(mesh)
     numbers_ = None if keys is None else indices_of(keys, "keys").reshape(-1)
     if numbers_ is not None and len(numbers_) != given.vertex_count:
-        raise ValueError(f"{len(numbers_)} keys for {given.vertex_count} vertices")
+        raise ValueError(f"{len(numbers_)} keys for {given.vertex_count} vertices: pass one for each")
     out = np.zeros(given.vertex_count, np.uint32)
     at = ffi.NULL if numbers_ is None else ffi.cast("uint32_t *", pointer(numbers_))
     call(lib.gusset_mesh_find_merge, view_of(given), at, ffi.cast("uint32_t *", pointer(out)), threads=threads, progress=progress)

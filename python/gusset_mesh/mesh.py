@@ -73,7 +73,8 @@ class Mesh:
         made.corners = indices_of(corners, "corners").reshape(-1)
         made.face_size = 0
         if made.offsets.size == 0 or made.offsets[-1] != made.corners.size:
-            raise ValueError("the last offset is not the number of corners")
+            last = made.offsets[-1] if made.offsets.size else "missing"
+            raise ValueError(f"the last offset is {last}, not {made.corners.size}, the number of corners")
         made._merged(merge)
         return made
 
@@ -122,7 +123,7 @@ class Mesh:
         made = Mesh.__new__(Mesh)
         made.points = points_of(points)
         if len(made.points) != len(self.points):
-            raise ValueError(f"{len(made.points)} points for {len(self.points)} vertices")
+            raise ValueError(f"{len(made.points)} points for {len(self.points)} vertices: pass one for each")
         made.corners, made.offsets, made.face_size, made.merge = self.corners, self.offsets, self.face_size, self.merge
         return made
 
@@ -181,15 +182,16 @@ def _require(mesh: Mesh) -> None:
     """Checks the attributes again, which may have been replaced since the construction."""
     points, lists = mesh.points, [one for one in (mesh.corners, mesh.offsets, mesh.merge) if one is not None]
     if not isinstance(points, np.ndarray) or points.dtype not in SCALARS or points.ndim != 2 or points.shape[1] != 3:
-        raise ValueError("points are not an array of floats of the shape (n, 3)")
+        raise ValueError("points must be an array of floats of the shape (n, 3)")
     if points.size and (points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize):
-        raise ValueError("x, y and z of points are not together")
+        raise ValueError("x, y and z of a point must be adjacent in memory: use numpy.ascontiguousarray")
     if any(not isinstance(one, np.ndarray) or one.dtype != np.uint32 or one.ndim != 1 or not one.flags.c_contiguous for one in lists):
         raise ValueError("corners, offsets and merge must be packed arrays of unsigned 32-bit integers")
     if mesh.offsets is not None and (mesh.offsets.size == 0 or mesh.offsets[-1] > mesh.corners.size):
-        raise ValueError("the last offset exceeds the number of corners")
+        last = mesh.offsets[-1] if mesh.offsets.size else "missing"
+        raise ValueError(f"the last offset is {last}; it must be at most {mesh.corners.size}, the number of corners")
     if mesh.merge is not None and len(mesh.merge) != len(points):
-        raise ValueError("merge must have one number for each vertex")
+        raise ValueError(f"merge has {len(mesh.merge)} numbers for {len(points)} vertices: give one for each")
 
 
 def fill_view(view: Any, mesh: Mesh) -> None:

@@ -78,7 +78,7 @@ class NetReshaping(NetHandle):
             raise IndexError(f"a net has rows and columns, not {len(pair)} axes")
         rows, columns = (_range(one, count, name) for one, count, name in zip(pair, self.shape, ("rows", "columns")))
         if 0 in (rows[1], columns[1]):
-            raise ValueError("the part has no nodes")
+            raise ValueError(f"the part has {rows[1]} rows and {columns[1]} columns: it needs at least 2 of each")
         return self._copied(row_first=rows[0], row_count=rows[1], column_first=columns[0], column_count=columns[1])
 
     def astype(self, dtype: DTypeLike) -> Self:

@@ -125,7 +125,7 @@ def test_errors_name_the_element():
     for faces_ in (-faces.astype(np.int32), ):
         with pytest.raises(gm.InputError):
             gm.check((points, faces_))
-    with pytest.raises(ValueError, match="no index"):
+    with pytest.raises(ValueError, match="not an index"):
         gm.check((points, -faces.astype(np.int64)))
     with pytest.raises(ValueError, match="shape"):
         gm.check((points[:, :2], faces))
