@@ -219,7 +219,7 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, gusset_join(misaligned(), pieces, 2, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 0, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(NULL, 0, NULL, &done));
-    CHECK(strcmp(gusset_context_get_message(context), "no pieces were given") == 0);
+    CHECK(strcmp(gusset_context_get_message(context), "no pieces were given; at least one is needed") == 0);
     FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, SIZE_MAX, NULL, &done));
     pieces[0].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
@@ -288,14 +288,14 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
     weld.tolerance_mode = 3;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
-    CHECK(strcmp(gusset_context_get_message(context), "weld_options.tolerance_mode has the unknown value 3") == 0);
+    CHECK(strstr(gusset_context_get_message(context), "weld_options.tolerance_mode is 3;") != NULL);
     options.weld_options = misaligned();
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(pieces, 2, &options, &done));
     options.weld_options = NULL, options.strip_options = &strips;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     strips.struct_size = sizeof strips, strips.extent = 9;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
-    CHECK(strcmp(gusset_context_get_message(context), "strip_options.extent has the unknown value 9") == 0);
+    CHECK(strstr(gusset_context_get_message(context), "strip_options.extent is 9;") != NULL);
     strips.extent = 0, strips.fairing = 9;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
     strips.fairing = 0, strips.finish = 2;

@@ -44,7 +44,7 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill(context, &mesh, NULL, 0, &options, &fill));
     options.together = GUSSET_TOGETHER_CHEAPEST, options.groups = rim;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill(context, &mesh, NULL, 0, &options, &fill));
-    CHECK(strcmp(gusset_context_get_message(context), "groups are given, but loops is NULL") == 0);
+    CHECK(strstr(gusset_context_get_message(context), "loops is NULL beside groups; ") != NULL);
     options.groups = NULL, options.continuity = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill(context, &mesh, NULL, 0, &options, &fill));
     options.continuity = GUSSET_CONTINUITY_C2, options.ignore_creases = 2;
@@ -197,7 +197,7 @@ static void results(void) {
         EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill(context, &mesh, loops, 2, NULL, &fill));
         EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
         CHECK(report.element == GUSSET_ELEMENT_ITEM && report.index == 1);
-        CHECK(strcmp(gusset_context_get_message(context), "the data of a loop is NULL") == 0);
+        CHECK(strcmp(gusset_context_get_message(context), "loops[1]: data is NULL; it must not be") == 0);
         loops[1].data = missing, loops[1].count = 3;
         EXPECT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, gusset_fill(context, &mesh, loops, 2, NULL, &fill));
         EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));

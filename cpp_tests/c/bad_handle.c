@@ -17,7 +17,7 @@ static void wrong_handles(void) {
     EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_boundary_create(wrong, &mesh, NULL, (gusset_boundary **)&copy));
     CHECK(copy == NULL);
     EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_net_copy_create(context, wrong, NULL, &copy));
-    CHECK(copy == NULL && strcmp(gusset_context_get_message(context), "net is not a live gusset_net") == 0);
+    CHECK(copy == NULL && strstr(gusset_context_get_message(context), "net is not a live gusset_net; ") != NULL);
     EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_net_displace(context, wrong, 1.0));
     gusset_boundary_view loops = {sizeof loops, 1, 1, NULL, 1};
     EXPECT(GUSSET_ERROR_WRONG_HANDLE, gusset_boundary_get_view((void *)context, &loops));

@@ -347,7 +347,8 @@ static void assembly_overlaps(void) {
     two_hills(pieces);
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, &options, &done));
     CHECK(reported_value() == 2.0);
-    CHECK(strcmp(gusset_context_get_message(context), "overlaps has the unknown value 2") == 0);
+    CHECK(strcmp(gusset_context_get_message(context),
+                 "overlaps is 2; it must be GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM") == 0);
     options.overlaps = UINT32_MAX;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, &options, &done));
     options.overlaps = GUSSET_OVERLAPS_TRIM, options.trim_options = misaligned();

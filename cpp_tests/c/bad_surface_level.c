@@ -138,7 +138,7 @@ static void sections(const gusset_surface *surface) {
     refused(GUSSET_ERROR_SIZE_OVERFLOW, surface, &function, levels, (size_t)-1 / 2, NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_contours_create(context, surface, &function, levels, 3, NULL, NULL));
     refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, falling, 2, NULL);
-    CHECK(strncmp(gusset_context_get_message(context), "option levels ", 14) == 0);
+    CHECK(strncmp(gusset_context_get_message(context), "levels is ", 10) == 0);
     refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, bad, 1, NULL);
     function.unsigned_normals = 2;
     refused(GUSSET_ERROR_UNKNOWN_VALUE, surface, &function, levels, 3, NULL);

@@ -76,9 +76,10 @@ impl gusset_context {
         match self.state.try_lock() {
             Ok(state) => Ok(state),
             Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
-            Err(TryLockError::WouldBlock) => {
-                Err(Failure::new(gusset_status::GUSSET_ERROR_CONTEXT_BUSY, "the context is in use by another call"))
-            }
+            Err(TryLockError::WouldBlock) => Err(Failure::new(
+                gusset_status::GUSSET_ERROR_CONTEXT_BUSY,
+                "another call uses the context; pass another context",
+            )),
         }
     }
 }

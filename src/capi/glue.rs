@@ -30,6 +30,7 @@ macro_rules! c_enum {
     ($($name:ident: $enum:ty { $($constant:ident => $variant:ident),* $(,)? })*) => {$(
         impl $crate::capi::input::Choice for $enum {
             const NAME: &'static str = stringify!($name);
+            const CONSTANTS: &'static [&'static str] = &[$(stringify!($constant)),*];
 
             fn from_constant(value: u32) -> Option<Self> {
                 match value {
@@ -58,4 +59,13 @@ macro_rules! laid_out_like {
     };
 }
 
-pub(crate) use {c_enum, fixed, laid_out_like, versioned};
+/// Returns the names of constants of C.
+macro_rules! constants {
+    ($($constant:ident),* $(,)?) => {{
+        // The constants exist.
+        const _: &[u32] = &[$($constant),*];
+        [$(stringify!($constant)),*]
+    }};
+}
+
+pub(crate) use {c_enum, constants, fixed, laid_out_like, versioned};

@@ -56,7 +56,7 @@ pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> 
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {
         // The payload's own destructor could panic. The payload is small and rare, so leak it.
         std::mem::forget(panic);
-        Err(Failure::new(gusset_status::GUSSET_ERROR_PANIC, "internal error: please report it").into())
+        Err(Failure::new(gusset_status::GUSSET_ERROR_PANIC, "internal error: please report it with the input").into())
     })
 }
 
@@ -94,7 +94,10 @@ mod tests {
                 assert_eq!(status, GUSSET_ERROR_PANIC);
             }
             assert_eq!(guard_call(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
-            assert_eq!(CStr::from_ptr(gusset_context_get_message(context)), c"internal error: please report it");
+            assert_eq!(
+                CStr::from_ptr(gusset_context_get_message(context)),
+                c"internal error: please report it with the input"
+            );
             assert_eq!(gusset_scene_add(context, scene, ptr::null(), &raw mut group), GUSSET_OK);
             assert_eq!(CStr::from_ptr(gusset_context_get_message(context)), c"");
             gusset_scene_destroy(scene);

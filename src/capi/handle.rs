@@ -67,7 +67,10 @@ fn check_kind<T: OpaqueHandle>(
     if kind == T::KIND || or_part && kind == !T::KIND {
         Ok(held)
     } else {
-        Err(Failure::new(GUSSET_ERROR_WRONG_HANDLE, format!("{name} is not a live {}", T::NAME)))
+        Err(Failure::new(
+            GUSSET_ERROR_WRONG_HANDLE,
+            format!("{name} is not a live {}; pass a handle that was not destroyed", T::NAME),
+        ))
     }
 }
 
@@ -88,7 +91,7 @@ pub(crate) fn get_objects<'a, T: OpaqueHandle + 'a>(
     input::input_bytes(handles.cast(), count, size_of::<*const T>(), name)?;
     Ok((0..count).map(move |k| {
         // SAFETY: within the checked bytes; any alignment is allowed.
-        get_object(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.with_item(k))
+        get_object(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.with_item(name, k))
     }))
 }
 

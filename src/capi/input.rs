@@ -22,7 +22,7 @@ fn check_aligned_to(alignment: usize, address: usize, name: &'static str) -> Res
     if address == 0 {
         Err(Failure::null_argument(name))
     } else if !address.is_multiple_of(alignment) {
-        let message = format!("{name} is not aligned to {alignment} bytes");
+        let message = format!("{name} is {address:#x}; it must be a multiple of {alignment}");
         Err(Failure::new(GUSSET_ERROR_MISALIGNED_ARGUMENT, message))
     } else {
         Ok(())
@@ -128,7 +128,7 @@ pub fn input_bytes<'a>(
     let Some(length) = length else {
         return Err(Failure::new(
             GUSSET_ERROR_SIZE_OVERFLOW,
-            format!("{count} elements of {name} exceed the address space"),
+            format!("{name} has {count} elements of {size} bytes, which exceed the address space; check the count"),
         ));
     };
     if length == 0 {
@@ -165,7 +165,7 @@ pub(crate) fn copy_input_items<T: bytemuck::AnyBitPattern>(
 pub(crate) fn read_flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     match value {
         0 | 1 => Ok(value == 1),
-        other => Err(Failure::unknown_value(name, other.into())),
+        other => Err(Failure::unknown_value(name, other.into(), "0 or 1")),
     }
 }
 
@@ -173,6 +173,9 @@ pub(crate) fn read_flag(value: u32, name: &'static str) -> Result<bool, Failure>
 pub(crate) trait Choice: Sized {
     /// The field or parameter that takes the constants.
     const NAME: &'static str;
+
+    /// The names of the constants.
+    const CONSTANTS: &'static [&'static str];
 
     /// Returns the variant of a constant.
     fn from_constant(value: u32) -> Option<Self>;
@@ -183,7 +186,7 @@ pub(crate) trait Choice: Sized {
 
 /// Converts a constant to a variant.
 pub(crate) fn read_choice<T: Choice>(value: u32) -> Result<T, Failure> {
-    T::from_constant(value).ok_or_else(|| Failure::unknown_value(T::NAME, value.into()))
+    T::from_constant(value).ok_or_else(|| Failure::unknown_choice(T::NAME, value, T::CONSTANTS))
 }
 
 /// Returns the pointer to lend for a list: its first element, or NULL if it is empty.
@@ -208,7 +211,7 @@ pub(crate) fn fill_buffer<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     }
     if capacity < needed {
         *written = needed;
-        let message = format!("{name} has room for {capacity} elements, but {needed} are needed");
+        let message = format!("{name} has room for {capacity} elements; it needs room for {needed}");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     let (out, made) = (result_buffer(buffer, needed, name)?, make()?);
@@ -267,8 +270,8 @@ pub(crate) fn read_versioned_struct<T: VersionedStruct>(
 /// Fails if the host sets `reserved` or fields beyond this version.
 fn check_unknown_fields(tail: &[u8], reserved: u32, name: &'static str) -> Result<(), Failure> {
     match tail.iter().find(|&&byte| byte != 0) {
-        Some(&byte) => Err(Failure::unknown_value(format_args!("a field of {name} beyond this version"), byte.into())),
-        None if reserved != 0 => Err(Failure::unknown_value(format_args!("{name}.reserved"), reserved.into())),
+        Some(&byte) => Err(Failure::not_zero(format_args!("a field of {name} beyond this version"), byte.into())),
+        None if reserved != 0 => Err(Failure::not_zero(format_args!("{name}.reserved"), reserved.into())),
         None => Ok(()),
     }
 }
@@ -294,12 +297,13 @@ pub(crate) fn struct_pointers<T: VersionedStruct>(
     input_bytes(first.cast(), count, size, name)?;
     Ok((0..count).map(move |k| {
         let one = first.wrapping_byte_add(k * size);
-        let found = struct_size(one, name).map_err(|failure| failure.with_item(k))?;
+        let found = struct_size(one, name).map_err(|failure| failure.with_item(name, k))?;
         if found == size {
             Ok(one)
         } else {
-            let message = format!("{name}: struct {k} has struct_size {found}, but struct 0 has {size}");
-            Err(Failure { value: found as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) }.with_item(k))
+            let message = format!("{name}[{k}] has struct_size {found}; it must be {size}, as in {name}[0]");
+            Err(Failure { value: found as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) }
+                .with_item(name, k))
         }
     }))
 }
@@ -345,7 +349,8 @@ fn struct_size<T: VersionedStruct>(pointer: *const T, name: &'static str) -> Res
 /// Fails if `size` is smaller than the first version, or larger than any.
 fn check_struct_size(min: usize, known_size: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
     if size < min || size > 4096 {
-        let message = format!("{name}: struct_size is {size}, which does not fit this version's {known_size}");
+        let message =
+            format!("{name} has struct_size {size}; it must be from {min} to 4096, and {known_size} in this version");
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }
     Ok(size)

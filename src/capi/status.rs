@@ -9,6 +9,7 @@ use super::choice_text::choice_text;
 use crate::error::{Element, Error, LoopPairFault, Side};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char};
+use std::fmt;
 
 pub(super) use super::status_text::status_text;
 
@@ -211,26 +212,65 @@ impl Failure {
     }
 
     pub(crate) fn null_argument(argument: &'static str) -> Self {
-        Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
+        Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL; it must not be"))
     }
 
-    pub(crate) fn unknown_value(what: impl std::fmt::Display, value: u64) -> Self {
-        Failure {
-            value: value as f64,
-            ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
-        }
+    /// Returns the failure of a choice that is not one of its `constants`.
+    pub(crate) fn unknown_choice(what: &str, value: u32, constants: &[&str]) -> Self {
+        Failure::unknown_value(what, value.into(), constants.join(" or "))
     }
 
-    pub(crate) fn no_such_element(what: &'static str, index: usize) -> Self {
-        let message = format!("{what} {index} does not exist");
+    /// Returns the failure of a field that must be 0.
+    pub(crate) fn not_zero(what: impl fmt::Display, value: u64) -> Self {
+        Failure::unknown_value(what, value, "0")
+    }
+
+    /// Returns the failure of a value that is not `allowed`, the words after "it must be".
+    pub(crate) fn unknown_value(what: impl fmt::Display, value: u64, allowed: impl fmt::Display) -> Self {
+        let message = format!("{what} is {value}; it must be {allowed}");
+        Failure { value: value as f64, ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, message) }
+    }
+
+    pub(crate) fn no_such_element(what: &'static str, index: usize, count: usize) -> Self {
+        let message = format!("{what} {index} does not exist (there are {count})");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
     }
 
-    /// Adds the index of an item in the caller's array, unless the failure already has an element.
-    pub(crate) fn with_item(self, index: usize) -> Self {
+    /// Returns the failure of an output that is not of the `wanted` kind.
+    pub(crate) fn wrong_output(index: u32, wanted: &'static str) -> Self {
+        let message = format!("output {index} is not {wanted}");
+        Failure { index: index.into(), ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
+    }
+
+    /// Adds an item of the caller's array `name`, unless the failure already has an element.
+    pub(crate) fn with_item(self, name: &'static str, index: usize) -> Self {
         match self.element {
-            GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
+            GUSSET_ELEMENT_NONE => {
+                Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self.within_item(name, index) }
+            }
             _ => self,
+        }
+    }
+
+    /// Names an item of the caller's array `name` in the message.
+    pub(crate) fn within_item(self, name: &'static str, index: usize) -> Self {
+        let item = format!("{name}[{index}]");
+        match self.message.strip_prefix(name) {
+            // The message already names the item, or the array.
+            Some(rest) if rest.starts_with('[') => self,
+            Some(rest) if rest.starts_with(' ') => Failure { message: format!("{item}{rest}").into(), ..self },
+            _ => self.within(&item),
+        }
+    }
+
+    /// Names the argument that the failure concerns at the start of the message. A cancel or a lack
+    /// of memory concerns none.
+    pub(crate) fn within(self, argument: &str) -> Self {
+        let is_named = self.message.strip_prefix(argument).is_some_and(|rest| rest.starts_with([' ', '.', '[']));
+        match self.status {
+            GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY => self,
+            _ if is_named => self,
+            _ => Failure { message: format!("{argument}: {}", self.message).into(), ..self },
         }
     }
 
@@ -348,7 +388,7 @@ impl From<Error> for Failure {
             LoopEdgeNotFree { place, vertex, .. } => {
                 at(GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             }
-            LoopIndexOutOfRange { number, place, vertex } => Failure {
+            LoopIndexOutOfRange { number, place, vertex, .. } => Failure {
                 input: number,
                 ..at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             },

@@ -22,7 +22,7 @@ fn samples_of_a_circle() {
     assert_eq!(curve.sample_points(SampleSpacing::Step(step * 1.01), &Job::default()).unwrap().points.len(), 10);
     assert_eq!(curve.sample_points(SampleSpacing::Step(100.0), &Job::default()).unwrap().points.len(), 1);
     let endless = curve.sample_points(SampleSpacing::Step(f64::INFINITY), &Job::default()).unwrap_err();
-    assert_eq!(endless, Error::OptionOutOfRange { option: "step", value: f64::INFINITY });
+    assert!(matches!(endless, Error::OptionOutOfRange { option: "step", value: f64::INFINITY, .. }));
     let open = parabola(0.0, 1.0);
     assert_eq!(open.view().sample_points(SampleSpacing::Count(5), &Job::default()).unwrap().places[4], at(0, 1.0));
     let length = open.view().length().unwrap();

@@ -4,7 +4,7 @@ use crate::outline_frame::{CUBIC, Sections, assert_meets, circle, options};
 use glam::DVec3;
 use gusset::curve::frame::{Correspondence, FrameOptions, Measure, frame};
 use gusset::curve::{Constraint, Options, Outlines, PointConstraint, Points};
-use gusset::{Error, Job};
+use gusset::{Allowed, Error, Job};
 
 /// The frames of a ship of 10 by 2 by 1: below the deck a parabola, pointed at the keel; `n` points
 /// from edge to edge and `m` more across the deck.
@@ -85,7 +85,8 @@ fn open_sections_keep_their_chines() {
     assert_eq!(made.grid.max_twist, 0.0);
     for columns in [0, 1] {
         let refused = sections.make(false, &options(Correspondence::ArcLength { columns })).unwrap_err();
-        assert_eq!(refused, Error::OptionOutOfRange { option: "columns", value: columns as f64 });
+        let allowed = Allowed::AtLeast(2.0);
+        assert_eq!(refused, Error::OptionOutOfRange { option: "columns", value: columns as f64, allowed });
     }
     // A column more than requested, for the chine.
     let made = sections.make(false, &options(Correspondence::ArcLength { columns: 2 })).unwrap();

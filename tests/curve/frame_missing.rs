@@ -144,5 +144,5 @@ fn nodes_that_cannot_be_filled() {
     let sections = Outlines { points, offsets: Some(&offsets), closed: true, constraints: &[] };
     let way = FrameOptions { missing: &[46], ..FrameOptions::new(Correspondence::ArcLength { columns: 9 }) };
     let found = frame(&sections, &way, &Job::default()).unwrap_err();
-    assert_eq!(found, Error::OptionOutOfRange { option: "missing", value: 1.0 });
+    assert!(matches!(found, Error::OptionOutOfRange { option: "missing", value: 1.0, .. }));
 }

@@ -192,7 +192,7 @@ fn landmarks_belong_together() {
         points.splice(0..4, wrong.iter().copied());
         let correspondence = Correspondence::Landmarks { points: &points, parts: 2 };
         let error = sections.make(true, &options(correspondence)).unwrap_err();
-        assert_eq!(error, Error::OptionOutOfRange { option: "landmarks", value: place });
+        assert!(matches!(error, Error::OptionOutOfRange { option: "landmarks", value, .. } if value == place));
     }
 }
 

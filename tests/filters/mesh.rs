@@ -4,7 +4,7 @@ use crate::common::{self, Soup, cap, sheet};
 use crate::editor::{circle, curve, lines, mesh, pieces, polylines, run_on, run_on_curves, text, value, values};
 use gusset::filters::Filter;
 use gusset::filters::data::{Input, Output};
-use gusset::{Error, Job};
+use gusset::{Allowed, Error, Job};
 
 fn inputs(soups: &[Soup]) -> Vec<Input<'_>> {
     soups.iter().map(|soup| Input::Mesh(soup.view())).collect()
@@ -38,7 +38,9 @@ fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
     assert!(common::edge_counts(faces.clone()).values().all(|&n| n == (1, 1)));
     assert_eq!(common::euler(faces), 2);
     let wrong = filter.run(&inputs(&soups), &[0.0, 1.0], &Job::default());
-    assert_eq!(wrong, Err(Error::OptionOutOfRange { option: "loop_b", value: 1.0 }));
+    let below =
+        |option, value, count| Err(Error::OptionOutOfRange { option, value, allowed: Allowed::IndexBelow(count) });
+    assert_eq!(wrong, below("loop_b", 1.0, 1));
     let both = soups[0].and(&soups[1]);
     let within = filter.run(&[Input::Mesh(both.view())], &[], &Job::default()).unwrap();
     assert_eq!(within[0], found[0]);
@@ -234,7 +236,8 @@ fn facing_arcs_are_on_the_side_of_the_other_loop() {
     let outputs = run_on_curves("facing_arcs", std::slice::from_ref(&loops), &[0.0, 1.0, 0.0, 0.0, 0.9]).unwrap();
     assert!(curve(lines(&outputs[0]), 0).iter().all(|p| p[0] > 0.9));
     let missing = run_on_curves("facing_arcs", &[loops], &[0.0, 2.0]);
-    assert_eq!(missing, Err(Error::OptionOutOfRange { option: "curve_b", value: 2.0 }));
+    let allowed = Allowed::IndexBelow(2);
+    assert_eq!(missing, Err(Error::OptionOutOfRange { option: "curve_b", value: 2.0, allowed }));
     // One above the other with all of either facing: a closed curve each.
     let tilted = polylines(&[(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], true), (vec![[0.0, 0.0, 1.0]], true)]);
     let refused = run_on_curves("facing_arcs", &[tilted], &[]);

@@ -8,15 +8,17 @@ use gusset::capi::curve::frame::*;
 use gusset::capi::curve::outline::gusset_outlines;
 use gusset::capi::curve::outline_options::gusset_outline_options;
 use gusset::capi::mesh::fill::gusset_fill_options;
+use gusset::capi::mesh::gusset_mesh_view;
 use gusset::capi::mesh::join::gusset_join;
 use gusset::capi::mesh::join_options::gusset_join_options;
 use gusset::capi::mesh::stitch_options::gusset_stitch_options;
 use gusset::capi::mesh::weld::gusset_weld_options;
-use gusset::capi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
+use gusset::capi::status::gusset_status::{self, GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ERROR_UNKNOWN_VALUE};
+use gusset::capi::surface::gusset_surface_create;
 use gusset::net::stream::StreamInfo;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
-use gusset::{Error, Job};
+use gusset::{Allowed, Error, Job};
 use std::ffi::CStr;
 use std::ptr;
 
@@ -32,11 +34,16 @@ fn sized<T: Copy>() -> T {
 
 /// The message of a call with an unknown value.
 fn message(call: impl FnOnce(*const gusset_context) -> gusset_status) -> String {
+    message_of(GUSSET_ERROR_UNKNOWN_VALUE, call)
+}
+
+/// The message of a call that returns a status.
+fn message_of(status: gusset_status, call: impl FnOnce(*const gusset_context) -> gusset_status) -> String {
     let mut context = ptr::null_mut();
     // SAFETY: a context that lives until the end of the block.
     unsafe {
         assert_eq!(gusset_context_create(&raw mut context), gusset_status::GUSSET_OK);
-        assert_eq!(call(context), GUSSET_ERROR_UNKNOWN_VALUE);
+        assert_eq!(call(context), status);
         let message = CStr::from_ptr(gusset_context_get_message(context)).to_str().unwrap().to_owned();
         gusset_context_destroy(context);
         message
@@ -55,18 +62,39 @@ fn a_field_of_options_within_options_is_named_by_its_path() {
     let plain = sized::<gusset_join_options>();
     let weld = gusset_weld_options { tolerance_mode: 7, ..sized() };
     let options = gusset_join_options { weld_options: &raw const weld, ..plain };
-    assert_eq!(join_message(&options), "weld_options.tolerance_mode has the unknown value 7");
+    assert_eq!(
+        join_message(&options),
+        "weld_options.tolerance_mode is 7; it must be GUSSET_TOLERANCE_AUTO or GUSSET_TOLERANCE_GIVEN or GUSSET_TOLERANCE_EXACT"
+    );
     let strips = gusset_stitch_options { orientation: 9, ..sized() };
     let options = gusset_join_options { strip_options: &raw const strips, ..plain };
-    assert_eq!(join_message(&options), "strip_options.orientation has the unknown value 9");
+    assert!(join_message(&options).starts_with("strip_options.orientation is 9; it must be GUSSET_"));
     let strips = gusset_stitch_options { reserved: 1, ..sized() };
     let options = gusset_join_options { strip_options: &raw const strips, ..plain };
-    assert_eq!(join_message(&options), "strip_options.reserved has the unknown value 1");
+    assert_eq!(join_message(&options), "strip_options.reserved is 1; it must be 0");
     let fill = gusset_fill_options { keep: 4, ..sized() };
     let options = gusset_join_options { fill_options: &raw const fill, ..plain };
-    assert_eq!(join_message(&options), "fill_options.keep has the unknown value 4");
+    assert!(join_message(&options).starts_with("fill_options.keep is 4; it must be GUSSET_KEEP_AUTO or "));
     // Its own fields have no path.
-    assert_eq!(join_message(&gusset_join_options { orientation: 9, ..plain }), "orientation has the unknown value 9");
+    assert_eq!(
+        join_message(&gusset_join_options { orientation: 9, ..plain }),
+        "orientation is 9; it must be GUSSET_ORIENTATION_FIX or GUSSET_ORIENTATION_KEEP"
+    );
+}
+
+#[test]
+fn an_item_of_an_array_is_named_by_its_index() {
+    let pieces = [gusset_mesh_view { scalar: 77, ..sized() }];
+    let mut out = ptr::null_mut();
+    // SAFETY: pieces that live.
+    let said = message(|context| unsafe { gusset_join(context, pieces.as_ptr(), 1, ptr::null(), &raw mut out) });
+    assert_eq!(said, "pieces[0]: scalar is 77; it must be GUSSET_F32 or GUSSET_F64");
+    let (sheets, mut surface) = ([ptr::null()], ptr::null_mut());
+    // SAFETY: handles that live during the call, of which one is NULL.
+    let said = message_of(GUSSET_ERROR_NULL_ARGUMENT, |context| unsafe {
+        gusset_surface_create(context, sheets.as_ptr(), 1, ptr::null(), &raw mut surface)
+    });
+    assert_eq!(said, "sheets[0] is NULL; it must not be");
 }
 
 #[test]
@@ -80,7 +108,7 @@ fn the_curves_across_and_along_a_frame_have_options_each() {
         let said = message(|context| unsafe {
             gusset_frame_create(context, &raw const sections, &raw const options, &raw mut out)
         });
-        assert_eq!(said, format!("{name}.lock has the unknown value 77"));
+        assert!(said.starts_with(&format!("{name}.lock is 77; it must be GUSSET_LOCK_PARAMETER or ")), "{said}");
     }
 }
 
@@ -105,6 +133,20 @@ fn sentences_say_what_is_wrong() {
         said(Line { from: 2.5, to: 1.0, ..Line::new(origin, up) }),
         "line 0 needs `from` to be at most `to`: 2.5"
     );
+    for (allowed, words) in [
+        (Allowed::Phrase("finite"), "finite"),
+        (Allowed::AtLeast(2.0), "at least 2"),
+        (Allowed::AtMost(1e300), "at most 1e300"),
+        ((0.0..=0.5).into(), "from 0 to 0.5"),
+        ((7.0..=7.0).into(), "7"),
+        (Allowed::Whole(0.0, 3.0), "a whole number from 0 to 3"),
+        (Allowed::IndexBelow(4), "an index below 4"),
+    ] {
+        let said = Error::OptionOutOfRange { option: "gap", value: -1.0, allowed }.to_string();
+        assert_eq!(said, format!("gap is -1; it must be {words}"));
+    }
+    let beyond = Error::IndexOutOfRange { face: 1, corner: 4, vertex: 17, count: 12 }.to_string();
+    assert_eq!(beyond, "face 1, corner 4: vertex 17 does not exist (the mesh has 12)");
     let offsets = Error::BadOffsets { entry: 2, value: 4 }.to_string();
     assert_eq!(offsets, "offset 2 is 4: offsets must not decrease, and the last must be the number of elements");
     // Short texts and long ones.

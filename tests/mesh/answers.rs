@@ -126,7 +126,7 @@ fn a_pair_that_names_nothing_is_told_why() {
 #[test]
 fn an_assembly_of_nothing_says_so() {
     let error = assemble(&[], &assemble::Options::default(), &Job::default()).unwrap_err();
-    assert_eq!(error.to_string(), "no pieces were given");
+    assert_eq!(error.to_string(), "no pieces were given; at least one is needed");
 }
 
 #[test]

@@ -294,7 +294,8 @@ fn mistakes_are_named() {
     let soup = sheet(3, 3);
     let error = |options: &Options<'_>| develop(&soup.view(), options, &Job::default()).unwrap_err();
     let cut = |vertices, offsets| Options { cuts: Cuts { vertices, offsets }, ..Options::default() };
-    assert_eq!(error(&cut(&[0, 99], &[])), Error::LoopIndexOutOfRange { number: 0, place: 1, vertex: 99 });
+    let count = soup.points.len() as u32;
+    assert_eq!(error(&cut(&[0, 99], &[])), Error::LoopIndexOutOfRange { number: 0, place: 1, vertex: 99, count });
     assert_eq!(error(&cut(&[0, 1], &[0, 3])), Error::BadOffsets { entry: 1, value: 3 });
     assert_eq!(error(&cut(&[0, 1], &[1, 2])), Error::BadOffsets { entry: 0, value: 1 });
     for stretch in [1.0, 0.5, f64::NAN, f64::INFINITY] {

@@ -180,7 +180,7 @@ fn any_unit_will_do_and_bad_numbers_are_refused() {
         Err(Error::NotFinite { element: Element::LoopPoint(Side::B), index: 3, value: f64::INFINITY })
     );
     let refused = facing(&a, &b, Some(-1.0), Run::Closest);
-    assert_eq!(refused, Err(Error::OptionOutOfRange { option: "tolerance", value: -1.0 }));
+    assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "tolerance", value: -1.0, .. })));
 }
 
 #[test]

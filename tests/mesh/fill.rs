@@ -396,7 +396,8 @@ fn loops_that_are_left_say_why() {
     let missing: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 1000]];
     let refused =
         fill_holes(&soup.view(), LoopSelection::Loops(&missing), &Options::default(), &Job::default()).unwrap_err();
-    assert_eq!(refused, Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 1000 });
+    let count = soup.points.len() as u32;
+    assert_eq!(refused, Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 1000, count });
 
     // Two faces that disagree; three faces at an edge.
     let mixed = Soup::flat(4, &[&[0, 1, 2], &[1, 2, 3]]);

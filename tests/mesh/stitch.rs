@@ -203,7 +203,8 @@ fn loops_given_by_hand() {
     assert_eq!(run(&[], &ring_b), Err(Error::LoopTooShort { side: Side::A, count: 0 }));
     assert_eq!(run(&ring_a, &[1, 2, 1, 2]), Err(Error::LoopRepeatsVertex { side: Side::B, vertex: 1 }));
     assert_eq!(run(&[1, 2, 0], &ring_b), Err(Error::LoopEdgeNotFree { side: Side::A, place: 1, vertex: 2 }));
-    assert_eq!(run(&ring_a, &[1, 2, 99]), Err(Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 99 }));
+    let count = view_b.positions().len() as u32;
+    assert_eq!(run(&ring_a, &[1, 2, 99]), Err(Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 99, count }));
     let request = Request { a: &view_a, loop_a: Some(&ring_a), b: None, loop_b: Some(&ring_a) };
     let both = stitch(&request, &Options::default(), &Job::default());
     assert_eq!(both, Err(Error::LoopsShareVertex { vertex: 1 }));

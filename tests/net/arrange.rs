@@ -2,9 +2,9 @@
 
 use crate::nets::{Surface, any_topology, job, numbered, same, sphere, torus};
 use glam::DVec3;
-use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::{CopyOptions, Direction, GridSymmetry, Net, NodeClasses, Replication};
+use gusset::{Allowed, Error};
 use proptest::prelude::*;
 
 /// The classes of a net as a partition of places, which `place` takes to places of another net.
@@ -152,11 +152,14 @@ fn volumes_keep_their_sign() {
 #[test]
 fn parts_beyond_the_net_are_refused() {
     let net = sphere(5, 9, Scalar::F32, DVec3::ZERO);
-    assert_eq!(net.sub_net(0..6, 0..9, &job()).unwrap_err(), Error::OptionOutOfRange { option: "rows", value: 6.0 });
+    assert_eq!(
+        net.sub_net(0..6, 0..9, &job()).unwrap_err(),
+        Error::OptionOutOfRange { option: "rows", value: 6.0, allowed: Allowed::AtMost(5.0) }
+    );
     let backwards = std::ops::Range { start: 5, end: 2 };
     assert_eq!(
         net.sub_net(0..5, backwards, &job()).unwrap_err(),
-        Error::OptionOutOfRange { option: "columns", value: 5.0 }
+        Error::OptionOutOfRange { option: "columns", value: 5.0, allowed: Allowed::AtMost(2.0) }
     );
     assert_eq!(net.sub_net(0..5, 3..4, &job()).unwrap_err(), Error::NetTooSmall { rows: 5, columns: 1 });
     assert_eq!(

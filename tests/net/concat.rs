@@ -230,7 +230,7 @@ fn refusals() {
     assert_eq!(refused(&a, &sphere(5, 9, Scalar::F64, DVec3::ZERO), &strict), Error::MixedScalars);
     assert_eq!(refused(&a, &a.flipped(Direction::Down, &job()).unwrap(), &strict), Error::NetsOpposed);
     let twist = JoinOptions { twist: 2, ..JoinOptions::new(Direction::Right) };
-    assert_eq!(refused(&a, &a, &twist), Error::OptionOutOfRange { option: "twist", value: 2.0 });
+    assert!(matches!(refused(&a, &a, &twist), Error::OptionOutOfRange { option: "twist", value: 2.0, .. }));
     let weld = JoinOptions { mode: BridgeMode::Weld, tolerance: f64::NAN, ..strict };
     assert!(matches!(refused(&a, &a, &weld), Error::OptionOutOfRange { option: "tolerance", .. }));
     assert_eq!(a.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0 });

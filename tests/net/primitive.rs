@@ -210,7 +210,7 @@ fn what_makes_no_sense_is_refused() {
     }
     refused(Primitive::Sphere { radius: 1.0 }, 2, 0, "rows");
     refused(Primitive::Sphere { radius: 1.0 }, 0, 3, "columns");
-    refused(Primitive::Torus { radius: 1.0, minor_radius: 1.0 }, 0, 0, "minor radius");
+    refused(Primitive::Torus { radius: 1.0, minor_radius: 1.0 }, 0, 0, "minor_radius");
     refused(Primitive::Prism { sides: 2, radius: 1.0, height: 1.0 }, 0, 0, "sides");
     refused(Primitive::Prism { sides: 7, radius: 1.0, height: 1.0 }, 0, 7, "columns");
     refused(Primitive::Prism { sides: u32::MAX, radius: 1.0, height: 1.0 }, 0, 7, "columns");

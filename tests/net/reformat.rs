@@ -2,10 +2,10 @@
 
 use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use glam::DVec3;
-use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{ContractedLinks, SeamRun};
 use gusset::net::{Net, NodeClasses, Replication, Seam, Sides, Topology};
+use gusset::{Allowed, Error};
 use proptest::prelude::*;
 
 fn any_replication() -> impl Strategy<Value = Replication> {
@@ -124,9 +124,10 @@ fn refusals() {
     let net = sphere(5, 9, Scalar::F32, DVec3::ZERO);
     let how = [Replication::Uniform; 2];
     let refused = |rows, columns, how| net.enlarged_to(rows, columns, how, &job()).unwrap_err();
-    assert_eq!(refused(4, 9, how), Error::OptionOutOfRange { option: "rows", value: 4.0 });
-    assert_eq!(refused(5, 8, how), Error::OptionOutOfRange { option: "columns", value: 8.0 });
+    let fewer = |option, value, allowed| Error::OptionOutOfRange { option, value, allowed };
+    assert_eq!(refused(4, 9, how), fewer("rows", 4.0, Allowed::AtLeast(5.0)));
+    assert_eq!(refused(5, 8, how), fewer("columns", 8.0, Allowed::AtLeast(9.0)));
     let beyond = [Replication::At(5), Replication::Last];
-    assert_eq!(refused(6, 9, beyond), Error::OptionOutOfRange { option: "replicated index", value: 5.0 });
+    assert_eq!(refused(6, 9, beyond), fewer("row_index", 5.0, Allowed::IndexBelow(5)));
     assert!(matches!(refused(usize::MAX, 9, how), Error::TooLarge { .. }));
 }

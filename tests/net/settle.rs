@@ -284,9 +284,9 @@ fn properties_and_options_that_are_refused() {
     assert_eq!(refused(properties(0.0, 0.0, -3.0), none), bad("stiffness", -3.0));
     assert!(matches!(refused(properties(f64::NAN, 0.0, 0.0), none), Error::BadProperty { property: "tension", .. }));
     let good = properties(1.0, 0.0, 0.0);
-    let option = |option, value| Error::OptionOutOfRange { option, value };
+    let option = |option, value| Error::OptionOutOfRange { option, value, allowed: "finite and at least 0".into() };
     assert_eq!(refused(good, SettleOptions { tolerance: -1.0, ..none }), option("tolerance", -1.0));
-    assert_eq!(refused(good, SettleOptions { rest_ratio: -1.0, ..none }), option("rest ratio", -1.0));
+    assert_eq!(refused(good, SettleOptions { rest_ratio: -1.0, ..none }), option("rest_ratio", -1.0));
     let few = Error::ArrayTooShort { what: "free", needed: 2, given: 1 };
     assert_eq!(refused(good, SettleOptions { free: &[true], ..none }), few);
     let other = sheet(3, 3, Scalar::F64);

@@ -126,7 +126,10 @@ fn batches_are_done_as_a_whole_or_not_at_all() {
     let bad = [
         (Gluing::Link(48), Error::NoSuch { element: Element::Link, index: 48 }),
         (Gluing::Star { node: 24, mask: 1 }, Error::NoSuch { element: Element::Node, index: 24 }),
-        (Gluing::Star { node: 0, mask: 16 }, Error::OptionOutOfRange { option: "mask", value: 16.0 }),
+        (
+            Gluing::Star { node: 0, mask: 16 },
+            Error::OptionOutOfRange { option: "mask", value: 16.0, allowed: (0.0..=15.0).into() },
+        ),
         (Gluing::Cell { cell: 15, mask: 1 }, Error::NoSuch { element: Element::Cell, index: 15 }),
         (
             Gluing::CellDiagonal { cell: 15, diagonal: CellDiagonal::Rising },

@@ -35,7 +35,12 @@ pub fn carry_values_over(origins: &Origins, channel: &Channel<'_>, out: &mut Out
     channel.check_inputs(origins.inputs(), &job.sub_job(0.0, 0.2))?;
     let table = origins.table(channel.domain);
     // The output must have the type and number of components of the channel.
-    Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
+    Error::require(
+        out.value_type == channel.value_type && out.components == channel.components,
+        "output",
+        0.0,
+        "of the channel's type and number of components",
+    )?;
     let needed = (table.len() * out.stride).saturating_sub(out.stride - channel.bytes_per_value().min(out.stride));
     if out.bytes.len() < needed {
         return Err(Error::ArrayTooShort { what: "values", needed: needed as u64, given: out.bytes.len() as u64 });

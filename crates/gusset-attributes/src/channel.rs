@@ -55,10 +55,20 @@ impl<'a> Channel<'a> {
     /// [`Error::OptionOutOfRange`] if `components` is 0 or above 4096, or if [`Rule::Normal`] is
     /// used with an unsigned type or a number of components other than three.
     pub fn new(domain: Domain, value_type: ValueType, components: u32, rule: Rule) -> Result<Channel<'a>> {
-        Error::require((1..=MAX_CHANNEL_COMPONENTS).contains(&components), "components", components.into())?;
+        Error::require(
+            (1..=MAX_CHANNEL_COMPONENTS).contains(&components),
+            "components",
+            components.into(),
+            1.0..=MAX_CHANNEL_COMPONENTS.into(),
+        )?;
         if rule == Rule::Normal {
-            Error::require(components == 3, "components", components.into())?;
-            Error::require(value_type.largest_value().is_none(), "value_type", 0.0)?;
+            Error::require(components == 3, "components", components.into(), "3 for normals")?;
+            Error::require(
+                value_type.largest_value().is_none(),
+                "value_type",
+                0.0,
+                "a floating-point type for normals",
+            )?;
         }
         let components = components as usize;
         Ok(Channel { domain, value_type, components, rule, max_influences: 0, inputs: Vec::new() })

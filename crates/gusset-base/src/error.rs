@@ -3,22 +3,8 @@
 //!
 //! `src/capi/status.rs` of the root package assigns each variant a status number for C.
 
-pub use crate::error_subject::{Element, LoopPairFault, Side};
-use std::fmt;
-
-/// Formats a number for a message, with an exponent if it is at least 1e9 or below 1e-4.
-struct NumberInMessage<'a>(&'a f64);
-
-impl fmt::Display for NumberInMessage<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let value = *self.0;
-        if value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs()) {
-            write!(f, "{value}")
-        } else {
-            write!(f, "{value:e}")
-        }
-    }
-}
+use crate::error_subject::NumberInMessage;
+pub use crate::error_subject::{Allowed, Element, LoopPairFault, Side};
 
 /// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
 #[allow(missing_docs, reason = "the texts say what the fields are")]
@@ -33,7 +19,7 @@ pub enum Error {
         limit: u64,
     },
     /// An array needs more bytes (count times stride) than the machine can address.
-    #[error("{count} {what} exceed the address space")]
+    #[error("{count} {what} exceed the address space; check the count and the stride")]
     SizeOverflow {
         /// The elements of the array, in the plural.
         what: &'static str,
@@ -48,14 +34,16 @@ pub enum Error {
         given: u64,
     },
     /// The stride, the distance between elements, is smaller than one element.
-    #[error("a stride of {stride} bytes is too small; one element takes {min}")]
+    #[error("the stride of {what} is {stride}; it must be 0 or at least {min}")]
     StrideTooSmall {
-        /// The given stride, in bytes.
+        /// The elements of the array, in the plural.
+        what: &'static str,
+        /// The given stride.
         stride: u64,
         min: u64,
     },
     /// A mesh lacks vertices or faces, or the list of meshes is empty.
-    #[error("{}", if *.what == "pieces" { "no pieces were given".to_owned() } else { format!("the input lacks {what}") })]
+    #[error("no {what} were given; at least one is needed")]
     EmptyMesh {
         /// The missing elements, in the plural.
         what: &'static str,
@@ -72,18 +60,22 @@ pub enum Error {
     #[error("face {face} has {corners} corners; it needs at least three")]
     FaceTooSmall { face: u32, corners: u32 },
     /// A face refers to a vertex that does not exist.
-    #[error("face {face}, corner {corner}: vertex {vertex} does not exist")]
+    #[error("face {face}, corner {corner}: vertex {vertex} does not exist (the mesh has {count})")]
     IndexOutOfRange {
         face: u32,
         /// The position in the corner array.
         corner: u32,
         vertex: u32,
+        /// The number of vertices.
+        count: u32,
     },
     /// A face passes a vertex twice, in an operation that needs simple faces.
-    #[error("face {face} passes vertex {vertex} twice")]
+    #[error("face {face} passes vertex {vertex} twice; split it into faces that pass each vertex once")]
     RepeatedCorner { face: u32, vertex: u32 },
     /// Two consecutive vertices of a cut are not connected by a path of edges.
-    #[error("cut {cut}, place {place}: no path of edges connects vertex {vertex} with the previous vertex")]
+    #[error(
+        "cut {cut}, place {place}: no path of edges connects vertex {vertex} with the previous vertex; name vertices of one component"
+    )]
     CutNotConnected {
         /// The index of the cut.
         cut: u32,
@@ -93,15 +85,19 @@ pub enum Error {
     },
     /// A surface is not closed: faces pass an edge of this face more often in one direction than in
     /// the other. The edge is on a border, or its faces are not oriented alike.
-    #[error("input {input} is not closed at face {face}: an edge is on a border, or its faces are not oriented alike")]
+    #[error(
+        "input {input} is not closed at face {face}: an edge is on a border, or its faces are not oriented alike; fill its holes or orient its faces"
+    )]
     MeshNotClosed { input: u32, face: u32 },
     /// A merge map sends a vertex to one that does not exist, or that is itself merged into
     /// another.
-    #[error("vertex {vertex} is merged into vertex {value}, which does not exist or is itself merged into another")]
+    #[error(
+        "vertex {vertex} is merged into vertex {value}, which does not exist or is itself merged into another; name a vertex that stays"
+    )]
     BadMerge { vertex: u32, value: u32 },
     /// An element has a coordinate that is NaN or infinite. The element is a vertex that a face
     /// uses, a point, the tangent of a constraint, or a node.
-    #[error("{element} {index} has a coordinate that is {}", NumberInMessage(.value))]
+    #[error("{element} {index} has a coordinate that is {}; it must be finite", NumberInMessage(.value))]
     NotFinite { element: Element, index: u64, value: f64 },
     /// The number of inputs that have values differs from the number of inputs.
     #[error("values are given for {given} inputs, but there are {needed}")]
@@ -110,10 +106,10 @@ pub enum Error {
     #[error("input {input} has {needed} elements, but {given} values are given")]
     ValuesDiffer { input: u32, given: u64, needed: u64 },
     /// A value is NaN or infinite, or a share is negative.
-    #[error("{element} {index} of input {input} has the value {}", NumberInMessage(.value))]
+    #[error("{element} {index} of input {input} has the value {}; it must be {}", NumberInMessage(.value), if .value.is_finite() { "at least 0" } else { "finite" })]
     BadValue { element: Element, index: u64, input: u32, value: f64 },
     /// The square of a coordinate would overflow.
-    #[error("{element} {index} has a coordinate beyond 1e150: {}", NumberInMessage(.value))]
+    #[error("{element} {index} has a coordinate that is {}; the limit is 1e150", NumberInMessage(.value))]
     CoordinateTooLarge { element: Element, index: u64, value: f64 },
     /// A section of a frame has a different number of points than the first section.
     #[error("section {section} has {count} points, but the first section has {expected}")]
@@ -125,7 +121,7 @@ pub enum Error {
     },
     /// A section of a frame, or a plane, lacks a node on a column. Either the two do not meet, or
     /// the section is not a curve.
-    #[error("section {section} has no node in column {column}")]
+    #[error("section {section} has no node in column {column}; it must be a curve that meets the column")]
     NoNode {
         /// The index of the section or plane.
         section: u32,
@@ -135,13 +131,13 @@ pub enum Error {
     #[error("the curve does not end where it begins; a closed curve must")]
     CurveNotClosed,
     /// An operation on plane curves got a control point whose z is not 0.
-    #[error("control point {point} is not in the plane z = 0")]
+    #[error("control point {point} is not in the plane z = 0; set its z to 0")]
     CurveNotPlane { point: u32 },
     /// An operation needs a curve with segments or points, and the curve has none.
-    #[error("the curve is empty")]
+    #[error("the curve is empty; it needs at least one segment or point")]
     EmptyCurve,
     /// A place on the curve does not exist.
-    #[error("place {index}: segment {segment} with parameter {} does not exist", NumberInMessage(.t))]
+    #[error("place {index}: segment {segment} with parameter {} does not exist; parameters are from 0 to 1", NumberInMessage(.t))]
     NoSuchPlace {
         /// The index among the given places.
         index: u32,
@@ -156,10 +152,10 @@ pub enum Error {
     BadConstraint { constraint: u32, point: u32 },
     /// The first mesh has `f32` positions and the second `f64`. The result has the first mesh's
     /// type and would round the second mesh's positions.
-    #[error("the inputs have coordinates of different types, and the result would round one of them: convert it")]
+    #[error("the inputs have coordinates of different types, and the result would round one of them: convert one")]
     MixedScalars,
     /// A piece lacks a boundary loop that can be stitched.
-    #[error("loop {side}: the piece lacks a boundary loop that can be stitched")]
+    #[error("loop {side}: the piece lacks a boundary loop that can be stitched; open it, or repair its border")]
     NoLoop { side: Side },
     /// Two loops of one mesh are to be stitched, but the mesh has fewer than two.
     #[error("the mesh has {count} boundary loop{} that can be stitched; two without a common vertex are needed", if *.count == 1 { "" } else { "s" })]
@@ -168,11 +164,13 @@ pub enum Error {
     #[error("loop {side} has {count} vertices; {}", if *.count == 0 { "it needs at least one" } else { "it needs at least three" })]
     LoopTooShort { side: Side, count: u32 },
     /// A loop passes a vertex twice.
-    #[error("loop {side} passes vertex {vertex} twice")]
+    #[error("loop {side} passes vertex {vertex} twice; it must pass each vertex once")]
     LoopRepeatsVertex { side: Side, vertex: u32 },
     /// Two consecutive loop vertices do not bound a free edge, which is an edge with exactly one
     /// face.
-    #[error("loop {side}: the edge that leaves place {place} (vertex {vertex}) is not a free edge of the mesh")]
+    #[error(
+        "loop {side}: the edge that leaves place {place} (vertex {vertex}) is not a free edge of the mesh; a free edge has exactly one face"
+    )]
     LoopEdgeNotFree {
         side: Side,
         /// The position in the loop where the edge starts.
@@ -181,24 +179,28 @@ pub enum Error {
         vertex: u32,
     },
     /// A loop refers to a vertex that does not exist.
-    #[error("loop {number}, place {place}: vertex {vertex} does not exist")]
+    #[error("loop {number}, place {place}: vertex {vertex} does not exist (the mesh has {count})")]
     LoopIndexOutOfRange {
         /// The index among the given loops.
         number: u32,
         /// The position in the loop.
         place: u32,
         vertex: u32,
+        /// The number of vertices.
+        count: u32,
     },
     /// Both loops pass the same vertex of the same mesh.
-    #[error("both loops pass vertex {vertex}")]
+    #[error("both loops pass vertex {vertex}; choose loops without a common vertex")]
     LoopsShareVertex { vertex: u32 },
     /// The paper's planes cannot tell which vertices of two loops face each other. Either none of a
     /// loop's vertices is clearly on the other loop's side of the plane through its centre, or the
     /// centres coincide. Join such loops whole.
-    #[error("no vertex of loop {side} is clearly on the other loop's side of the plane through its centre")]
+    #[error(
+        "no vertex of loop {side} is clearly on the other loop's side of the plane through its centre; join whole loops"
+    )]
     PlanesUndecided { side: Side },
     /// The faces along one loop disagree in orientation.
-    #[error("the faces along loop {side} disagree in orientation, face {face} among them")]
+    #[error("the faces along loop {side} disagree in orientation, face {face} among them; orient the faces first")]
     LoopNotOriented {
         side: Side,
         /// A face that is oriented against most others.
@@ -212,7 +214,9 @@ pub enum Error {
     },
     /// Every strip through the first meridian, or the strip of the chosen rule, would repeat an
     /// edge of the mesh.
-    #[error("no strip between the loops avoids the edges that the mesh already has (vertex {vertex})")]
+    #[error(
+        "no strip between the loops avoids the edges that the mesh already has (vertex {vertex}); choose other loops or arcs"
+    )]
     NoStrip {
         /// The vertex of the first loop where the rule's meridian starts, if one vertex is to
         /// blame.
@@ -223,7 +227,9 @@ pub enum Error {
     NetTooSmall { rows: u64, columns: u64 },
     /// A gluing identifies both pairs of opposite corners of a cell, which is impossible on a
     /// surface.
-    #[error("cell {cell}: both pairs of opposite corners would be glued, which no surface allows")]
+    #[error(
+        "cell {cell}: both pairs of opposite corners would be glued, which no surface allows; use more rows or columns"
+    )]
     CrossingCell {
         /// The first such cell.
         cell: u32,
@@ -232,18 +238,18 @@ pub enum Error {
     #[error("seam {seam} is empty, leaves the net, or repeats one pair of nodes")]
     BadSeam { seam: u32 },
     /// An element does not exist, or is of a different kind.
-    #[error("{element} {index} does not exist{}", if *.element == Element::Entry { " or is of a different kind" } else { "" })]
+    #[error("{element} {index} does not exist{}", .element.describe_existence())]
     NoSuch { element: Element, index: u64 },
     /// The sides of two nets that are to be joined have different numbers of nodes, and the options
     /// forbid equalising them.
-    #[error("the sides have {a} and {b} nodes")]
+    #[error("the sides have {a} and {b} nodes; they need the same number, or the option to equalise them")]
     SidesDiffer {
         /// The number of nodes on the first net's side.
         a: u32,
         b: u32,
     },
     /// Sides that must coincide do not: the sides of nets that are welded, or of a closed sheet.
-    #[error("sides that must coincide are {} apart at place {place}", NumberInMessage(.distance))]
+    #[error("sides that must coincide are {} apart at place {place}; move their nodes together", NumberInMessage(.distance))]
     SidesApart { place: u32, distance: f64 },
     /// The number of knots in one direction of a spline does not match its control points and
     /// degree.
@@ -268,7 +274,7 @@ pub enum Error {
     #[error("the weight of control point {index} is {}; weights are finite and above 0", NumberInMessage(.value))]
     BadWeight { index: u64, value: f64 },
     /// A row and a column of a net of curves do not meet.
-    #[error("row {row} and column {column} of the net are {} apart where they are nearest", NumberInMessage(.distance))]
+    #[error("row {row} and column {column} of the net are {} apart where they are nearest; they must meet within the tolerance", NumberInMessage(.distance))]
     CurvesApart {
         row: u32,
         column: u32,
@@ -276,7 +282,9 @@ pub enum Error {
         distance: f64,
     },
     /// A curve of a net meets the crossing curves in a different order than other curves do.
-    #[error("row {row} and column {column} of the net meet out of order: the {curve} differs from the other {curve}s")]
+    #[error(
+        "row {row} and column {column} of the net meet out of order: the {curve} differs from the other {curve}s; list the curves in the order of their crossings"
+    )]
     CurvesOutOfOrder {
         /// The row at the first crossing that is out of order.
         row: u32,
@@ -300,14 +308,14 @@ pub enum Error {
     #[error("the stream cannot be read at byte {byte}: {what}")]
     BadStream { what: &'static str, byte: u64 },
     /// A group of a scene would contain itself.
-    #[error("entry {entry} of the scene would contain itself")]
+    #[error("entry {entry} of the scene would contain itself; choose a parent outside it")]
     SceneCycle { entry: u32 },
     /// An operation needs nets, and the scene has none.
-    #[error("the scene has no nets")]
+    #[error("the scene has no nets; add at least one")]
     EmptyScene,
     /// A deformation field is undefined at a node: at the centre of a sphere, or in the eye's plane
     /// of a projection.
-    #[error("at node {node} the field is undefined or its value is too large")]
+    #[error("at node {node} the field is undefined or its value is too large; move the node or the field")]
     FieldUndefined {
         /// The first such node.
         node: u32,
@@ -315,17 +323,17 @@ pub enum Error {
     /// Rows and columns cannot be added or removed evenly, because the net has bridges or is glued
     /// elsewhere than along whole sides.
     #[error(
-        "the net has bridges or is glued elsewhere than along whole sides, so rows and columns cannot be added or removed"
+        "the net has bridges or is glued elsewhere than along whole sides, so rows and columns cannot be added or removed; split the net first"
     )]
     GluedInside,
     /// A node lies outside the box that is given for the levels of a stream.
-    #[error("node {node} lies outside the box of the levels")]
+    #[error("node {node} lies outside the box of the levels; enlarge the box")]
     NodeOutsideBox {
         /// The first such node.
         node: u32,
     },
     /// Two nets must be glued in the same way and are not.
-    #[error("the nets are glued differently, first at node {node}")]
+    #[error("the nets are glued differently, first at node {node}; they must be glued alike")]
     GluingsDiffer {
         /// The first node that the two nets identify with different nodes.
         node: u32,
@@ -378,10 +386,15 @@ pub enum Error {
         fault: LoopPairFault,
     },
     /// An option is outside its range.
-    #[error("option {option} is out of range: {}", NumberInMessage(.value))]
-    OptionOutOfRange { option: &'static str, value: f64 },
+    #[error("{option} is {}; it must be {allowed}", NumberInMessage(.value))]
+    OptionOutOfRange {
+        option: &'static str,
+        value: f64,
+        /// The values in its range.
+        allowed: Allowed,
+    },
     /// A property of a bridge is negative, NaN or infinite, or too large for the coordinates.
-    #[error("bridge {bridge}: its {property} is {}", NumberInMessage(.value))]
+    #[error("bridge {bridge}: its {property} is {}; it must be finite, at least 0, and not too large for the coordinates", NumberInMessage(.value))]
     BadProperty { bridge: u32, property: &'static str, value: f64 },
     /// A pose is not a rotation and translation.
     #[error(
@@ -389,7 +402,7 @@ pub enum Error {
     )]
     NotRigid { pose: u32 },
     /// Memory for an array could not be allocated.
-    #[error("{bytes} bytes of memory could not be allocated")]
+    #[error("{bytes} bytes of memory could not be allocated; free memory or use a smaller input")]
     OutOfMemory { bytes: u64 },
     /// The caller cancelled the call.
     #[error("the caller cancelled the call")]
@@ -443,9 +456,10 @@ impl Error {
         }
     }
 
-    /// Returns [`Error::OptionOutOfRange`] unless the value of the option is valid.
-    pub fn require(is_valid: bool, option: &'static str, value: f64) -> Result<()> {
-        if is_valid { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
+    /// Returns [`Error::OptionOutOfRange`] unless the value of the option is valid. `allowed`
+    /// describes the valid values.
+    pub fn require(is_valid: bool, option: &'static str, value: f64, allowed: impl Into<Allowed>) -> Result<()> {
+        if is_valid { Ok(()) } else { Err(Error::OptionOutOfRange { option, value, allowed: allowed.into() }) }
     }
 }
 

@@ -1,6 +1,67 @@
-//! The subject of an error: one of two inputs, a kind of element, or a pair of loops.
+//! The subject of an error: one of two inputs, a kind of element, or a pair of loops. Also the
+//! values that an option takes.
 
 use std::fmt;
+use std::ops::RangeInclusive;
+
+/// Formats a number for a message, with an exponent if it is at least 1e9 or below 1e-4.
+pub(crate) struct NumberInMessage<'a>(pub(crate) &'a f64);
+
+impl fmt::Display for NumberInMessage<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let value = *self.0;
+        if value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
+/// The values that an option takes, for a message.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Allowed {
+    /// The words after "it must be".
+    Phrase(&'static str),
+    /// This number and larger ones.
+    AtLeast(f64),
+    /// This number and smaller ones.
+    AtMost(f64),
+    /// The numbers from the first to the second, including both.
+    Between(f64, f64),
+    /// The whole numbers from the first to the second, including both.
+    Whole(f64, f64),
+    /// The indices of this number of elements.
+    IndexBelow(u64),
+}
+
+impl From<&'static str> for Allowed {
+    fn from(phrase: &'static str) -> Self {
+        Allowed::Phrase(phrase)
+    }
+}
+
+impl From<RangeInclusive<f64>> for Allowed {
+    fn from(range: RangeInclusive<f64>) -> Self {
+        Allowed::Between(*range.start(), *range.end())
+    }
+}
+
+impl fmt::Display for Allowed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Allowed::Phrase(phrase) => f.write_str(phrase),
+            Allowed::AtLeast(low) => write!(f, "at least {}", NumberInMessage(low)),
+            Allowed::AtMost(high) => write!(f, "at most {}", NumberInMessage(high)),
+            Allowed::Between(low, high) if low == high => write!(f, "{}", NumberInMessage(low)),
+            Allowed::Between(low, high) => write!(f, "from {} to {}", NumberInMessage(low), NumberInMessage(high)),
+            Allowed::Whole(low, high) => {
+                write!(f, "a whole number from {} to {}", NumberInMessage(low), NumberInMessage(high))
+            }
+            Allowed::IndexBelow(count) => write!(f, "an index below {count}"),
+        }
+    }
+}
 
 /// One of two pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -70,6 +131,17 @@ impl fmt::Display for Element {
             Element::Bridge => "bridge",
             Element::Entry => "entry",
         })
+    }
+}
+
+impl Element {
+    /// Returns the end of the message about a missing element: what must hold.
+    pub(crate) fn describe_existence(self) -> &'static str {
+        match self {
+            Element::Entry => " or is of a different kind; name an entry of the scene of the kind that the call takes",
+            Element::Place => " on the surface: its sheet, its cell or its parameters are out of range",
+            _ => "; indices count from 0 and are below the number of elements",
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use gusset_stitch::stitch::facing::{Centres, Options, Run, facing};
 
@@ -49,7 +49,8 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     job.step(0.0, "facing arcs")?;
     let each = inputs[0].curves()?.polylines()?;
     let points = |option: &'static str, number: u32| {
-        let missing = Error::OptionOutOfRange { option, value: number.into() };
+        let missing =
+            Error::OptionOutOfRange { option, value: number.into(), allowed: Allowed::IndexBelow(each.len() as u64) };
         let (points, _) = each.get(number as usize).ok_or(missing)?;
         alloc::collect(points.iter().map(|&point| DVec3::from(point)))
     };

@@ -4,7 +4,7 @@ use super::data::{Input, InputKind, Output, OutputKind};
 use super::extent::bounding_box_of_inputs;
 use super::param::Param;
 use super::typed_param::{ParamValues, Parameters};
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 
 /// One capability.
@@ -160,7 +160,7 @@ impl Filter {
     /// # Errors
     /// [`Error::OptionOutOfRange`] with their number if there are more than the filter has.
     pub fn check_value_count(&self, count: usize) -> Result<()> {
-        Error::require(count <= self.value_count(), "values", count as f64)
+        Error::require(count <= self.value_count(), "values", count as f64, Allowed::AtMost(self.value_count() as f64))
     }
 
     /// Runs the filter. Missing values at the end are defaults.

@@ -5,7 +5,7 @@ use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, ReportValue, TRIANGLE, VE
 use super::signatures::TO_MESH_TEXT;
 use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_net::closure::{BoxKind, Cuboid};
 use gusset_net::complex::Complex;
@@ -83,13 +83,7 @@ choices! {
 fn run(_: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
     let request = Request { rows, columns, ..Request::new((values.shape)(values)) };
-    let net = request.build_net(&job.sub_job(0.0, 0.5)).map_err(|error| match error {
-        // The core names the parameter with a space. Other measures fit by their ranges.
-        Error::OptionOutOfRange { option: "minor radius", value } => {
-            Error::OptionOutOfRange { option: "minor_radius", value }
-        }
-        error => error,
-    })?;
+    let net = request.build_net(&job.sub_job(0.0, 0.5))?;
     let complex = Complex::from_topology(net.topology(), &job.sub_job(0.5, 0.7))?;
     let mesh = quads::mesh_of_net(&net, values.triangles, &job.sub_job(0.7, 1.0))?;
     let text = format!(

@@ -6,7 +6,7 @@ use super::data::Input;
 use super::extent::round_to_two_digits;
 use glam::DVec3;
 pub use gusset_base::choice::Choice;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::Aabb;
 
 /// The kind of a parameter.
@@ -92,17 +92,24 @@ impl Param {
         (self.min..=self.max).contains(&value) && (!self.kind.is_integer() || value.fract() == 0.0)
     }
 
+    /// Returns the values of a component for a message.
+    fn allowed(&self) -> Allowed {
+        if self.kind.is_integer() { Allowed::Whole(self.min, self.max) } else { Allowed::Between(self.min, self.max) }
+    }
+
     /// Checks the components of a value.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for the first component out of range, for a direction or a normal
     /// of length 0, and for a plane too far from the origin.
     pub(super) fn check(&self, components: &[f64]) -> Result<()> {
-        components.iter().try_for_each(|&value| Error::require(self.accepts(value), self.id, value))?;
+        components.iter().try_for_each(|&value| Error::require(self.accepts(value), self.id, value, self.allowed()))?;
         if matches!(self.kind, ParamKind::Direction | ParamKind::Plane) {
             let largest = components[..3].iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
-            Error::require(largest > 0.0, self.id, 0.0)?;
-            components[3..].iter().try_for_each(|&d| Error::require((d / largest).is_finite(), self.id, d))?;
+            Error::require(largest > 0.0, self.id, 0.0, "a vector other than 0")?;
+            components[3..].iter().try_for_each(|&d| {
+                Error::require((d / largest).is_finite(), self.id, d, "a finite multiple of the normal")
+            })?;
         }
         Ok(())
     }

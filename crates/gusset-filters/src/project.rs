@@ -64,5 +64,5 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 
 /// [`Error::OptionOutOfRange`] for a height above the plane that is 0 within rounding.
 fn require_nonzero_height(option: &'static str, height: f64, size: f64) -> Result<()> {
-    Error::require(height.abs() > 64.0 * f64::EPSILON * size, option, height)
+    Error::require(height.abs() > 64.0 * f64::EPSILON * size, option, height, "outside the plane")
 }

@@ -6,7 +6,7 @@ use super::report::{BOUNDARY_LOOP, FACE, Report, ReportValue, count_with_noun, f
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplitVertices, Origins};
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
 use gusset_mesh::MeshView;
@@ -149,7 +149,8 @@ fn boundary_loop_by_number(
 ) -> Result<Option<Vec<u32>>> {
     let Some(number) = number else { return Ok(None) };
     let boundary = boundary_loops(mesh, &boundary::Options::default(), job)?;
-    let missing = Error::OptionOutOfRange { option, value: number.into() };
+    let missing =
+        Error::OptionOutOfRange { option, value: number.into(), allowed: Allowed::IndexBelow(boundary.len() as u64) };
     let found = boundary.get(number as usize).ok_or(missing)?;
     Ok(Some(alloc::copied(found.vertices)?))
 }

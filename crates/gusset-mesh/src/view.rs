@@ -439,6 +439,7 @@ impl<'a> MeshView<'a> {
             face: self.faces.face_of_half_edge(corner),
             corner,
             vertex: self.faces.corner(corner),
+            count: count as u32,
         })
     }
 }

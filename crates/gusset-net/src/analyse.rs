@@ -135,7 +135,7 @@ fn analyse_without_signs(
     tolerance: f64,
     job: &Job<'_>,
 ) -> Result<DeformationAnalysis> {
-    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
+    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance, "finite and at least 0")?;
     job.step(0.0, "analyse")?;
     let (shape, classes) = (before.shape(), NodeClasses::new(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;

@@ -30,7 +30,7 @@ const MAX_PARTNERS_PER_NODE: usize = 8;
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
-    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
+    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance, "finite and at least 0")?;
     let shape = coordinates.shape();
     let mut matrix = LinkMatrix::empty(shape)?;
     each!(coordinates, planes => for_each_coincident_link(planes, tolerance, &job.sub_job(0.0, 0.5), |link| {

@@ -41,7 +41,7 @@ choices! { for MorphPath:
 /// the columns, [`Error::MixedScalars`], [`Error::GluingsDiffer`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn morph(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -> Result<Net<'static>> {
-    Error::require((0.0..=1.0).contains(&t), "t", t)?;
+    Error::require((0.0..=1.0).contains(&t), "t", t, "from 0 to 1")?;
     check_compatible_nets(a, b)?;
     job.step(0.0, "morph")?;
     let mut made = a.copied()?;

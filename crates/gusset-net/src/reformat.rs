@@ -9,7 +9,7 @@ use super::arrange::{Rearrangement, map_seam, merge_seams};
 use super::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun};
 use super::{Bridge, Direction, Net, Real, Shape, Topology, XyzMatrices, each};
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use std::ops::Add;
 
@@ -161,7 +161,7 @@ pub(crate) fn starts_of_replicated_lines(
     option: &'static str,
 ) -> Result<Vec<u32>> {
     let old = axis.line_count_and_length(topology.shape()).0;
-    Error::require(count >= old, option, count as f64)?;
+    Error::require(count >= old, option, count as f64, Allowed::AtLeast(old as f64))?;
     let copies = count - old;
     let mut times: Vec<u32> = alloc::filled(1, old)?;
     let poles = [0, old - 1].map(|i| topology.is_line_contracted(axis, i));
@@ -169,7 +169,8 @@ pub(crate) fn starts_of_replicated_lines(
         (Replication::First, _) => times[0] += copies as u32,
         (Replication::Last, _) => times[old - 1] += copies as u32,
         (Replication::At(i), _) => {
-            Error::require((i as usize) < old, "replicated index", i.into())?;
+            let index = if axis == Direction::Down { "row_index" } else { "column_index" };
+            Error::require((i as usize) < old, index, i.into(), Allowed::IndexBelow(old as u64))?;
             times[i as usize] += copies as u32;
         }
         (Replication::AtPoles, [true, _] | [_, true]) => {

@@ -33,7 +33,7 @@ impl Net<'_> {
     /// [`Error::OptionOutOfRange`] for a separation that is negative or not finite; the net is then
     /// unchanged.
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
-        Error::require(separation.is_finite() && separation >= 0.0, "separation", separation)?;
+        Error::require(separation.is_finite() && separation >= 0.0, "separation", separation, "finite and at least 0")?;
         let topology = self.topology().unglued(gluings)?;
         let mut moves = Vec::new();
         if separation > 0.0 {

@@ -58,7 +58,7 @@ impl Net<'_> {
     /// negative or not finite, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<ValidationFinding>> {
-        Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
+        Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance, "finite and at least 0")?;
         let (topology, shape) = (self.topology(), self.shape());
         let classes = NodeClasses::new(topology)?;
         let mut findings = Vec::new();

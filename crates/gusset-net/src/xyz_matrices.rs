@@ -118,7 +118,7 @@ impl<'a, T: Real> XyzMatrices<'a, T> {
     pub fn matrix_length(shape: Shape, stride: usize) -> Result<usize> {
         let columns = shape.columns();
         if stride != 0 && stride < columns {
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: columns as u64 });
+            return Err(Error::StrideTooSmall { what: "rows", stride: stride as u64, min: columns as u64 });
         }
         let stride = if stride == 0 { columns } else { stride };
         let length = (shape.rows() - 1).checked_mul(stride).and_then(|n| n.checked_add(columns));

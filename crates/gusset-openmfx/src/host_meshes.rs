@@ -110,7 +110,12 @@ impl<'a> HostMeshData<'a> {
             start += face.len() as u32;
             let Ok(edge) = <[u32; 2]>::try_from(face) else { continue };
             if let Some(end) = edge.iter().position(|&vertex| vertex as usize >= positions.len()) {
-                return Err(Error::IndexOutOfRange { face: f as u32, corner: corner + end as u32, vertex: edge[end] });
+                return Err(Error::IndexOutOfRange {
+                    face: f as u32,
+                    corner: corner + end as u32,
+                    vertex: edge[end],
+                    count: positions.len() as u32,
+                });
             }
             alloc::push(&mut edges, edge)?;
         }

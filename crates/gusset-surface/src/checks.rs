@@ -9,18 +9,21 @@ pub(super) fn unit_vector(direction: DVec3, option: &'static str) -> Result<DVec
     check_finite(direction, option)?;
     // Scaling first avoids overflow and underflow.
     let largest = direction.abs().max_element();
-    Error::require(largest > 0.0, option, 0.0)?;
+    Error::require(largest > 0.0, option, 0.0, "a vector other than 0")?;
     Ok((direction / largest).normalize())
 }
 
 pub(super) fn check_finite(vector: DVec3, option: &'static str) -> Result<()> {
-    vector.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))
+    vector
+        .to_array()
+        .into_iter()
+        .try_for_each(|x| Error::require(x.is_finite(), option, x, "finite in every coordinate"))
 }
 
 /// Checks that levels (planes, angles, values) are finite and strictly increasing.
 pub(super) fn check_ascending(levels: &[f64], option: &'static str) -> Result<()> {
     let rises = |k: usize| levels[k].is_finite() && (k == 0 || levels[k] > levels[k - 1]);
-    (0..levels.len()).try_for_each(|k| Error::require(rises(k), option, levels[k]))
+    (0..levels.len()).try_for_each(|k| Error::require(rises(k), option, levels[k], "finite and above the previous one"))
 }
 
 /// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.

@@ -101,7 +101,7 @@ impl Sheet<'_> {
 
 /// The cell of a parameter that counts cells, and the parameter within the cell.
 fn cell_and_parameter(parameter: f64, cells: usize) -> Result<(usize, f64)> {
-    Error::require((0.0..=cells as f64).contains(&parameter), "parameter", parameter)?;
+    Error::require((0.0..=cells as f64).contains(&parameter), "parameter", parameter, 0.0..=cells as f64)?;
     let cell = (parameter as usize).min(cells - 1);
     Ok((cell, parameter - cell as f64))
 }

@@ -128,8 +128,8 @@ impl Sheet<'_> {
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
-        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
-        Error::require(!options.least.contains(&0), "parts", 0.0)?;
+        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance, "above 0")?;
+        Error::require(!options.least.contains(&0), "parts", 0.0, "at least 1")?;
         let lattice = MeshLattice::new(self, options, &job.sub_job(0.0, 0.3))?;
         lattice.mesh_on_lines(options.triangles, &job.sub_job(0.3, 1.0))
     }

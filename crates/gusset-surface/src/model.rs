@@ -61,7 +61,7 @@ impl<'a> Surface<'a> {
             return Err(Error::EmptyMesh { what: "sheets" });
         }
         let tolerance = tolerance.unwrap_or(1e-9 * bounds.diagonal());
-        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance, "finite and at least 0")?;
         Ok(Surface { sheets: indexed, bounds, tolerance })
     }
 

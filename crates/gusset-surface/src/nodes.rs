@@ -73,8 +73,9 @@ impl<'a> Nodes<'a> {
             return Err(Error::SizeOverflow { what: "nodes", count });
         };
         if column_stride < 3 || row_stride < width {
-            let (stride, least) = if column_stride < 3 { (column_stride, 3) } else { (row_stride, width) };
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 });
+            let (what, stride, least) =
+                if column_stride < 3 { ("nodes", column_stride, 3) } else { ("rows of nodes", row_stride, width) };
+            return Err(Error::StrideTooSmall { what, stride: stride as u64, min: least as u64 });
         }
         if data.len() < span {
             let (needed, given) = (8 * span as u64, 8 * data.len() as u64);

@@ -46,7 +46,9 @@ impl<const N: usize> Patches<N> {
     /// without patches, [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with
     /// the control point, [`Error::OutOfMemory`].
     pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
-        degrees.iter().try_for_each(|&degree| Error::require((1..N).contains(&degree), "degree", degree as f64))?;
+        degrees.iter().try_for_each(|&degree| {
+            Error::require((1..N).contains(&degree), "degree", degree as f64, 1.0..=(N - 1) as f64)
+        })?;
         let each = (degrees[0] + 1) * (degrees[1] + 1);
         let count = (rows as u64).saturating_mul(columns as u64);
         let total = count.saturating_mul(each as u64);

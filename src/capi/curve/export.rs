@@ -2,7 +2,7 @@
 
 use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, view_of_curve};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::lend_list;
 use crate::capi::status::{Failure, gusset_status};
@@ -98,7 +98,11 @@ pub unsafe extern "C" fn gusset_curve_export_create(
                 let ClampedSpline { controls: points, knots, degree } = view.to_clamped_spline(job)?;
                 Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
             }
-            other => Err(Failure::unknown_value("format", other.into())),
+            other => Err(Failure::unknown_choice(
+                "format",
+                other,
+                &constants![GUSSET_CURVE_FORMAT_SVG, GUSSET_CURVE_FORMAT_CONTOUR, GUSSET_CURVE_FORMAT_SPLINE],
+            )),
         }
     })
 }

@@ -5,7 +5,7 @@
 use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::outline::{GivenOutlines, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::handle::TaggedObject;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list, read_choice, read_flag};
@@ -176,7 +176,18 @@ impl gusset_frame_options {
                 reference: DVec3::from_array(self.reference),
             },
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
-            other => return Err(Failure::unknown_value("correspondence", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "correspondence",
+                    other,
+                    &constants![
+                        GUSSET_CORRESPONDENCE_GIVEN,
+                        GUSSET_CORRESPONDENCE_ARC_LENGTH,
+                        GUSSET_CORRESPONDENCE_ANGLE,
+                        GUSSET_CORRESPONDENCE_LANDMARKS
+                    ],
+                ));
+            }
         };
         let across = input::read_nested_or_default(self.across, "across", gusset_outline_options::checked)?;
         let along = input::read_nested_or_default(self.along, "along", gusset_outline_options::checked)?;

@@ -2,7 +2,7 @@
 
 use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list};
 use crate::capi::mesh::gusset_indices;
@@ -218,10 +218,23 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
         let view = view_of_curve(curve, "curve")?;
         let spacing = match rule {
             GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => SampleSpacing::Count(amount as usize),
-            GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
+            GUSSET_SAMPLE_COUNT => {
+                return Err(Error::OptionOutOfRange {
+                    option: "amount",
+                    value: amount,
+                    allowed: "a whole number of at least 1".into(),
+                }
+                .into());
+            }
             GUSSET_SAMPLE_STEP => SampleSpacing::Step(amount),
             GUSSET_SAMPLE_CHORD => SampleSpacing::Chord(amount),
-            other => return Err(Failure::unknown_value("rule", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "rule",
+                    other,
+                    &constants![GUSSET_SAMPLE_COUNT, GUSSET_SAMPLE_STEP, GUSSET_SAMPLE_CHORD],
+                ));
+            }
         };
         let found = view.sample_points(spacing, job)?;
         let places = to_c_places(found.places.into_iter())?;

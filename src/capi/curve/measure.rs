@@ -241,7 +241,7 @@ pub unsafe extern "C" fn gusset_curve_measure(
 
 fn measure_selection(flags: gusset_curve_measure_flags) -> Result<MeasureSelection, Failure> {
     if flags > 2 * GUSSET_CURVE_MEASURE_MOMENTS - 1 {
-        return Err(Failure::unknown_value("flags", flags.into()));
+        return Err(Failure::unknown_value("flags", flags.into(), "a sum of GUSSET_CURVE_MEASURE_ constants"));
     }
     let has = |flag| flags == 0 || flags & flag != 0;
     Ok(MeasureSelection {

@@ -74,7 +74,7 @@ impl gusset_place {
     pub(crate) fn checked(self) -> Result<Place, Failure> {
         match self.reserved {
             0 => Ok(Place { segment: self.segment, t: self.t }),
-            other => Err(Failure::unknown_value("reserved", other.into())),
+            other => Err(Failure::not_zero("reserved", other.into())),
         }
     }
 }

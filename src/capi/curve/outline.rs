@@ -5,7 +5,7 @@
 use crate::capi::context::{create_handle, guard_call, gusset_context, lend};
 use crate::capi::curve::gusset_curve;
 use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
-use crate::capi::glue::{fixed, versioned};
+use crate::capi::glue::{constants, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list, read_flag};
 use crate::capi::mesh::gusset_indices;
@@ -77,7 +77,7 @@ impl gusset_outline {
         if outline < self.0.len() {
             Ok(self.0.curve(outline))
         } else {
-            Err(Failure::no_such_element("outline", outline))
+            Err(Failure::no_such_element("outline", outline, self.0.len()))
         }
     }
 }
@@ -197,7 +197,13 @@ fn constraint_from_struct_bytes(bytes: &[u8]) -> Result<Constraint, Failure> {
         }
         GUSSET_CONSTRAINT_CORNER => PointConstraint::Corner,
         GUSSET_CONSTRAINT_TANGENT_ANGLE => PointConstraint::TangentAngle(bytemuck::pod_read_unaligned(&bytes[8..16])),
-        other => return Err(Failure::unknown_value("kind", other.into())),
+        other => {
+            return Err(Failure::unknown_choice(
+                "kind",
+                other,
+                &constants![GUSSET_CONSTRAINT_TANGENT, GUSSET_CONSTRAINT_CORNER, GUSSET_CONSTRAINT_TANGENT_ANGLE],
+            ));
+        }
     };
     Ok(Constraint { point, kind })
 }
@@ -265,7 +271,8 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     report: *mut gusset_outline_report,
 ) -> gusset_status {
     lend!(outline, report, |gusset_outline(done)| {
-        let report = done.reports().get(index).ok_or_else(|| Failure::no_such_element("outline", index))?;
+        let no_such = || Failure::no_such_element("outline", index, done.len());
+        let report = done.reports().get(index).ok_or_else(no_such)?;
         gusset_outline_report {
             struct_size: size_of::<gusset_outline_report>(),
             fit: report.status as gusset_fit_status,

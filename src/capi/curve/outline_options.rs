@@ -1,6 +1,6 @@
 //! Options of outlines: Kinds of curves, and the outcome at each point.
 
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::input::read_choice;
 use crate::capi::status::Failure;
 use crate::curve::{CurveKind, Ends, JointParameter, Lock, Method, Options, Solver};
@@ -203,7 +203,17 @@ pub(crate) fn to_section_method(options: &gusset_outline_options) -> Result<Meth
         GUSSET_METHOD_NORMAL => Ok(Method::Normal),
         GUSSET_METHOD_SYMMEDIAN => Ok(Method::Symmedian),
         GUSSET_METHOD_ALPHA => Ok(Method::Alpha(options.alpha)),
-        other => Err(Failure::unknown_value("method", other.into())),
+        other => Err(Failure::unknown_choice(
+            "method",
+            other,
+            &constants![
+                GUSSET_METHOD_BISECTOR,
+                GUSSET_METHOD_MEDIAN,
+                GUSSET_METHOD_NORMAL,
+                GUSSET_METHOD_SYMMEDIAN,
+                GUSSET_METHOD_ALPHA
+            ],
+        )),
     }
 }
 

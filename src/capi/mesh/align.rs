@@ -5,7 +5,7 @@
 
 use crate::align::{Aligned, Alignment, Options, Overlap, Pose, Reason, Start, align};
 use crate::capi::context::{create_handle, gusset_context, lend};
-use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::glue::{c_enum, constants, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice};
 use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
@@ -222,7 +222,13 @@ pub unsafe extern "C" fn gusset_alignment_create(
             GUSSET_ALIGN_AS_GIVEN => Start::Poses(&poses),
             GUSSET_ALIGN_PRINCIPAL_AXES => Start::PrincipalAxes,
             GUSSET_ALIGN_RIMS => Start::Rims,
-            other => return Err(Failure::unknown_value("start", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "start",
+                    other,
+                    &constants![GUSSET_ALIGN_AS_GIVEN, GUSSET_ALIGN_PRINCIPAL_AXES, GUSSET_ALIGN_RIMS],
+                ));
+            }
         };
         let max_distance = (options.max_distance != 0.0).then_some(options.max_distance);
         let how = Options { start, max_distance, samples: options.samples, max_rounds: options.max_rounds };

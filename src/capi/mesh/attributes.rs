@@ -153,8 +153,8 @@ pub(crate) fn carry_over_channel(
     let made = Channel::new(domain, read_choice(given.value_type)?, given.components, read_choice(given.rule)?);
     let mut channel = made
         .map_err(|error| match error {
-            Error::OptionOutOfRange { option: "value_type", .. } => {
-                Error::OptionOutOfRange { option: "value_type", value: given.value_type.into() }
+            Error::OptionOutOfRange { option: option @ "value_type", allowed, .. } => {
+                Error::OptionOutOfRange { option, value: given.value_type.into(), allowed }
             }
             other => other,
         })?
@@ -167,7 +167,7 @@ pub(crate) fn carry_over_channel(
     let room = Strided::byte_span(count, stride, channel.bytes_per_value(), "values")?;
     let room_range = values as usize..(values as usize).saturating_add(room);
     for k in 0..input_count {
-        let of_input = |failure: Failure| failure.with_input(k as u32);
+        let of_input = |failure: Failure| failure.with_input(k as u32).within_item("inputs", k);
         let one = input::checked_reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
         if one.values.is_null() && one.count == 0 {
             channel.push_missing()?;
@@ -178,13 +178,16 @@ pub(crate) fn carry_over_channel(
         let bytes = input::input_bytes(one.values, size, 1, "values").map_err(of_input)?;
         let range = bytes.as_ptr_range();
         if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
-            return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlaps the values of an input")));
+            return Err(of_input(Failure::new(
+                GUSSET_ERROR_OVERLAP,
+                "the output overlaps these values; pass separate arrays",
+            )));
         }
         channel.push(bytes, one.stride, one.count)?;
     }
     let needed = origins.table(domain).len();
     if count < needed {
-        let message = format!("values has room for {count} elements, but {needed} are needed");
+        let message = format!("values has room for {count} elements; it needs room for {needed}");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     let out = input::result_buffer(values.cast::<u8>(), room, "values")?;

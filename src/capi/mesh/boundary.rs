@@ -252,7 +252,10 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     view: *mut gusset_loop_view,
 ) -> gusset_status {
     lend!(boundary, view, |boundary| {
-        let found = boundary.boundary.get(index).ok_or_else(|| Failure::no_such_element("loop", index))?;
+        let found = boundary
+            .boundary
+            .get(index)
+            .ok_or_else(|| Failure::no_such_element("loop", index, boundary.boundary.len()))?;
         gusset_loop_view {
             struct_size: size_of::<gusset_loop_view>(),
             vertices: gusset_indices::lend_indices(found.vertices),

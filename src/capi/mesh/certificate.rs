@@ -103,8 +103,7 @@ pub unsafe extern "C" fn gusset_certificate_create(
 ) -> gusset_status {
     create_handle(context, certificate, "certificate", |job| {
         let given_pieces = mesh::read_meshes(pieces, piece_count, &job.sub_job(0.0, 0.1))?;
-        let given_result = mesh::read_and_validate_mesh(result, "result", &job.sub_job(0.1, 0.2))
-            .map_err(|failure| failure.with_input(piece_count as u32))?;
+        let given_result = mesh::read_named_mesh(result, "result", piece_count as u32, &job.sub_job(0.1, 0.2))?;
         let views = alloc::collect(given_pieces.iter().map(GivenMesh::mesh_view))?;
         Ok(gusset_certificate(certify(&views, &given_result.mesh_view(), &job.sub_job(0.2, 1.0))?))
     })

@@ -9,7 +9,7 @@ use crate::capi::input::{self, fill_buffer, lend_list, read_choice};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, to_tolerance};
 use crate::capi::status::{Failure, gusset_status};
-use crate::error::Error;
+use crate::error::{Allowed, Error};
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
@@ -163,7 +163,9 @@ pub unsafe extern "C" fn gusset_meridians_index(
     guard_changing_call(ptr::null(), |job| {
         let written = input::cleared_output(written, 0, "written")?;
         if m > n {
-            return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());
+            return Err(
+                Error::OptionOutOfRange { option: "m", value: m.into(), allowed: Allowed::AtMost(n.into()) }.into()
+            );
         }
         fill_buffer((j, capacity, "j"), n as usize + 1, written, job, || Ok(index_rule(n, m)))
     })

@@ -4,7 +4,7 @@
 
 use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create_handle, gusset_context};
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::fill_report::{FillResult, gusset_fill_report, gusset_fill_weight};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
@@ -139,7 +139,13 @@ impl gusset_fill_options {
         let refinement = match self.refine {
             GUSSET_REFINE_NONE if self.finish == GUSSET_FINISH_STRIP => Refinement::None,
             GUSSET_REFINE_NONE | GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
-            other => return Err(Failure::unknown_value("refine", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "refine",
+                    other,
+                    &constants![GUSSET_REFINE_NONE, GUSSET_REFINE_RIM_DENSITY],
+                ));
+            }
         };
         let limits = Limits {
             edges: (self.max_edges != 0).then_some(self.max_edges),
@@ -169,7 +175,10 @@ impl gusset_fill_options {
             return Ok(None);
         }
         if loops.is_null() {
-            return Err(Failure::new(GUSSET_ERROR_NULL_ARGUMENT, "groups are given, but loops is NULL"));
+            return Err(Failure::new(
+                GUSSET_ERROR_NULL_ARGUMENT,
+                "loops is NULL beside groups; pass the loops, or NULL for groups",
+            ));
         }
         input::copy_input_items(self.groups, count, "groups").map(Some)
     }
@@ -182,8 +191,8 @@ fn read_loops(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<V
         return if count == 0 { Ok(None) } else { Err(Failure::null_argument("loops")) };
     }
     let list = |i| {
-        let found = mesh::read_indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
-        found.map_err(|failure| failure.with_item(i))
+        let found = mesh::read_indices(loops.wrapping_add(i), "data").map(Option::unwrap_or_default);
+        found.map_err(|failure| failure.with_item("loops", i))
     };
     alloc::try_collect((0..count).map(list)).map(Some)
 }

@@ -1,7 +1,7 @@
 //! Options of joining: Which borders are joined.
 
 use crate::assemble::{Extent, MaxGap, Options, Overlaps, Selector};
-use crate::capi::glue::{fixed, versioned};
+use crate::capi::glue::{constants, fixed, versioned};
 use crate::capi::input::{self, read_flag};
 use crate::capi::mesh::fill::gusset_fill_options;
 use crate::capi::mesh::stitch_options::{
@@ -150,28 +150,52 @@ impl gusset_join_options {
                 Some(input::read_nested_or_default(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
             GUSSET_WELDING_NONE => None,
-            other => return Err(Failure::unknown_value("weld", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "weld",
+                    other,
+                    &constants![GUSSET_WELDING_SEW, GUSSET_WELDING_EDGE_TO_EDGE, GUSSET_WELDING_NONE],
+                ));
+            }
         };
         let keep_orientation = match self.orientation {
             GUSSET_ORIENTATION_FIX => false,
             GUSSET_ORIENTATION_KEEP => true,
-            other => return Err(Failure::unknown_value("orientation", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "orientation",
+                    other,
+                    &constants![GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP],
+                ));
+            }
         };
         let max_gap = match self.gap {
             GUSSET_GAP_AUTO => MaxGap::Auto,
             GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
-            other => return Err(Failure::unknown_value("gap", other.into())),
+            other => return Err(Failure::unknown_choice("gap", other, &constants![GUSSET_GAP_AUTO, GUSSET_GAP_GIVEN])),
         };
         let extent = match self.extent {
             GUSSET_JOIN_LOOPS_AND_PARTS => Extent::LoopsAndParts,
             GUSSET_JOIN_WHOLE_LOOPS => Extent::WholeLoops,
             GUSSET_JOIN_PARTS => Extent::Parts,
-            other => return Err(Failure::unknown_value("extent", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "extent",
+                    other,
+                    &constants![GUSSET_JOIN_LOOPS_AND_PARTS, GUSSET_JOIN_WHOLE_LOOPS, GUSSET_JOIN_PARTS],
+                ));
+            }
         };
         let overlaps = match self.overlaps {
             GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
             GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
-            other => return Err(Failure::unknown_value("overlaps", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "overlaps",
+                    other,
+                    &constants![GUSSET_OVERLAPS_KEEP, GUSSET_OVERLAPS_TRIM],
+                ));
+            }
         };
         let fill = input::read_nested_or_default(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {

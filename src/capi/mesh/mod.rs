@@ -127,6 +127,16 @@ pub(crate) fn read_numbered_mesh<'a>(
     read_and_validate_mesh(view, "mesh", job).map_err(|failure| failure.with_input(number))
 }
 
+/// Reads and validates the argument `name`, the caller's mesh number `number`.
+pub(crate) fn read_named_mesh<'a>(
+    view: *const gusset_mesh_view,
+    name: &'static str,
+    number: u32,
+    job: &Job<'_>,
+) -> Result<GivenMesh<'a>, Failure> {
+    read_and_validate_mesh(view, name, job).map_err(|failure| failure.with_input(number).within(name))
+}
+
 /// Reads an array of the caller's meshes, whose structs must be as large as the first one.
 pub(crate) fn read_meshes<'a>(
     views: *const gusset_mesh_view,
@@ -136,8 +146,8 @@ pub(crate) fn read_meshes<'a>(
     Error::check_count("pieces", count as u64, MAX_ELEMENTS)?;
     let views = input::struct_pointers(views, count, "pieces")?.enumerate();
     alloc::try_collect(views.map(|(k, view)| {
-        let read = |view| read_and_validate_mesh(view, "piece", &job.sub_job_of_item(k, count));
-        view.and_then(read).map_err(|failure| failure.with_input(k as u32))
+        let read = |view| read_and_validate_mesh(view, "pieces", &job.sub_job_of_item(k, count));
+        view.and_then(read).map_err(|failure| failure.with_input(k as u32).within_item("pieces", k))
     }))
 }
 
@@ -150,7 +160,7 @@ pub(crate) fn read_and_validate_mesh<'a>(
     let view = input::read_versioned_struct(view, false, name)?;
     let scalar = read_choice(view.scalar)?;
     if view.index != GUSSET_U32 {
-        return Err(Failure::unknown_value("index", view.index.into()));
+        return Err(Failure::unknown_value("index", view.index.into(), "GUSSET_U32"));
     }
     // Before the layout, because the arrays of an empty mesh may be NULL.
     for (what, count) in [("vertices", view.vertex_count), ("faces", view.face_count)] {
@@ -159,7 +169,8 @@ pub(crate) fn read_and_validate_mesh<'a>(
         }
     }
     if view.face_offsets.is_null() == (view.face_size == 0) {
-        let message = "exactly one of face_offsets and face_size must be given";
+        let layouts = if view.face_size == 0 { "neither" } else { "both" };
+        let message = format!("{layouts} of face_offsets and face_size are given; give exactly one");
         return Err(Failure::new(GUSSET_ERROR_BAD_FACE_LAYOUT, message));
     }
     // Check all counts before reading any element.

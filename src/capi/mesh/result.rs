@@ -68,7 +68,7 @@ impl OperationResult {
 
     /// Returns the failure if the report belongs to another operation.
     pub(crate) fn wrong_operation_failure(&self, operation: &str) -> Failure {
-        let message = format!("the result was made by {}, not by {operation}", self.operation_name());
+        let message = format!("result was made by {}; pass a result of {operation}", self.operation_name());
         Failure::new(GUSSET_ERROR_WRONG_HANDLE, message)
     }
 

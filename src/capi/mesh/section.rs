@@ -2,7 +2,7 @@
 
 use crate::attributes::Origins;
 use crate::capi::context::{create_handle, gusset_context, lend};
-use crate::capi::glue::{c_enum, fixed, versioned};
+use crate::capi::glue::{c_enum, constants, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::origins::gusset_origins;
@@ -214,7 +214,13 @@ pub unsafe extern "C" fn gusset_mesh_sections_create(
                 let is_closed = read_flag(planes.closed, "closed")?;
                 cut_by_planes(&mesh, &planes_across_polyline(&points()?, is_closed, &values()?)?, &options, &job)?
             }
-            other => return Err(Failure::unknown_value("kind", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "kind",
+                    other,
+                    &constants![GUSSET_CUTTING_STACK, GUSSET_CUTTING_PLANES, GUSSET_CUTTING_AXIS, GUSSET_CUTTING_CURVE],
+                ));
+            }
         };
         let paths = alloc::collect(sections.paths().iter().map(gusset_section_path::from))?;
         Ok(gusset_mesh_sections { sections, paths, counts: crate::attributes::Counts::from_mesh(&mesh) })

@@ -108,9 +108,9 @@ pub unsafe extern "C" fn gusset_stitch(
 ) -> gusset_status {
     create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
-        let given_a = mesh::read_numbered_mesh(mesh_a, 0, &job.sub_job(0.0, 0.1))?;
-        let given_b =
-            (!mesh_b.is_null()).then(|| mesh::read_numbered_mesh(mesh_b, 1, &job.sub_job(0.1, 0.2))).transpose()?;
+        let given_a = mesh::read_named_mesh(mesh_a, "mesh_a", 0, &job.sub_job(0.0, 0.1))?;
+        let read_b = || mesh::read_named_mesh(mesh_b, "mesh_b", 1, &job.sub_job(0.1, 0.2));
+        let given_b = (!mesh_b.is_null()).then(read_b).transpose()?;
         let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));
         let loop_a = mesh::read_indices(loop_a, "loop_a")?.map(|vertices| mesh::map_to_merged_vertices(&a, vertices));
         let loop_b = mesh::read_indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;

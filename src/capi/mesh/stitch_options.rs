@@ -1,6 +1,6 @@
 //! Options of stitching: Choice, subdivision and fairing of strips.
 
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::input::read_choice;
 use crate::capi::status::Failure;
 use crate::repair::orient::Outward;
@@ -263,7 +263,18 @@ impl gusset_stitch_options {
             GUSSET_EXTENT_ARCS => Extent::Arcs(
                 [self.arc_a, self.arc_b].map(|[first, count]| Arc { first: first as usize, count: count as usize }),
             ),
-            other => return Err(Failure::unknown_value("extent", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "extent",
+                    other,
+                    &constants![
+                        GUSSET_EXTENT_WHOLE_LOOPS,
+                        GUSSET_EXTENT_OPEN_ARCS,
+                        GUSSET_EXTENT_AUTO,
+                        GUSSET_EXTENT_ARCS
+                    ],
+                ));
+            }
         };
         let rows = to_rows(self.rows, self.row_count)?;
         Ok(Options {
@@ -292,7 +303,11 @@ pub(crate) fn to_outward(given: gusset_outward, default: Outward) -> Result<Outw
         GUSSET_OUTWARD_AUTO => Ok(default),
         GUSSET_OUTWARD_KEEP => Ok(Outward::Keep),
         GUSSET_OUTWARD_CLOSED => Ok(Outward::Closed),
-        other => Err(Failure::unknown_value("outward", other.into())),
+        other => Err(Failure::unknown_choice(
+            "outward",
+            other,
+            &constants![GUSSET_OUTWARD_AUTO, GUSSET_OUTWARD_KEEP, GUSSET_OUTWARD_CLOSED],
+        )),
     }
 }
 
@@ -302,7 +317,11 @@ pub(crate) fn to_rows(mode: u32, count: u32) -> Result<Rows, Failure> {
         GUSSET_ROWS_NONE => Ok(Rows::None),
         GUSSET_ROWS_MEAN_EDGE => Ok(Rows::MeanEdge),
         GUSSET_ROWS_COUNT => Ok(Rows::Count(count)),
-        other => Err(Failure::unknown_value("rows", other.into())),
+        other => Err(Failure::unknown_choice(
+            "rows",
+            other,
+            &constants![GUSSET_ROWS_NONE, GUSSET_ROWS_MEAN_EDGE, GUSSET_ROWS_COUNT],
+        )),
     }
 }
 
@@ -312,6 +331,10 @@ pub(crate) fn to_tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure
         GUSSET_TOLERANCE_AUTO => Ok(None),
         GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
         GUSSET_TOLERANCE_EXACT => Ok(Some(0.0)),
-        other => Err(Failure::unknown_value("tolerance_mode", other.into())),
+        other => Err(Failure::unknown_choice(
+            "tolerance_mode",
+            other,
+            &constants![GUSSET_TOLERANCE_AUTO, GUSSET_TOLERANCE_GIVEN, GUSSET_TOLERANCE_EXACT],
+        )),
     }
 }

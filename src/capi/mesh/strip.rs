@@ -3,7 +3,7 @@
 //! @source H. Fuchs, Z. Kedem and S. Uselton (1977); Nesterenko.
 
 use crate::capi::context::{create_handle, gusset_context};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::facing::read_loop_points;
 use crate::capi::mesh::gusset_indices;
@@ -75,7 +75,13 @@ impl gusset_strip_options {
             GUSSET_START_AUTO => Some(Start::Auto),
             GUSSET_START_CLOSEST => Some(Start::Closest),
             GUSSET_START_GIVEN => None,
-            other => return Err(Failure::unknown_value("start", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "start",
+                    other,
+                    &constants![GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN],
+                ));
+            }
         };
         let closed = read_flag(self.closed, "closed")?;
         let (meridians, search) = (read_choice(self.meridians)?, read_choice(self.search)?);

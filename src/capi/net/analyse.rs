@@ -122,7 +122,7 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
         } else if given.is_empty() {
             analyse(net_of_handle(net)?, net_of_handle(options.after)?, options.tolerance, job)?
         } else {
-            return Err(Failure::unknown_value("field_count, beside after,", options.field_count as u64));
+            return Err(Failure::unknown_value("field_count", options.field_count as u64, "0 beside `after`"));
         };
         Ok(gusset_net_analysis::new(found)?)
     })

@@ -1,7 +1,7 @@
 //! Rows and columns: Parts, symmetries and conversions of nets.
 
 use crate::capi::context::{create_handle, guard_changing_call, gusset_context};
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::gusset_scalar;
@@ -114,7 +114,17 @@ pub(crate) fn to_replication(value: gusset_replication, index: u32) -> Result<Re
         GUSSET_REPLICATE_LAST => Ok(Replication::Last),
         GUSSET_REPLICATE_AT => Ok(Replication::At(index)),
         GUSSET_REPLICATE_AT_POLES => Ok(Replication::AtPoles),
-        other => Err(Failure::unknown_value("replication", other.into())),
+        other => Err(Failure::unknown_choice(
+            "replication",
+            other,
+            &constants![
+                GUSSET_REPLICATE_UNIFORM,
+                GUSSET_REPLICATE_FIRST,
+                GUSSET_REPLICATE_LAST,
+                GUSSET_REPLICATE_AT,
+                GUSSET_REPLICATE_AT_POLES
+            ],
+        )),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Local gluings: How nodes and cells are glued.
 
 use crate::capi::context::{answer_into_output, create_handle, guard_changing_call, gusset_context, lend};
-use crate::capi::glue::{fixed, versioned};
+use crate::capi::glue::{constants, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, fill_buffer, read_flag};
 use crate::capi::mesh::gusset_indices;
@@ -127,7 +127,13 @@ pub unsafe extern "C" fn gusset_net_classify(
         Ok(gluing_type_code(match place {
             GUSSET_GLUING_PLACE_NODE => topology.gluing_type_at_node(element, cyclic, job)?,
             GUSSET_GLUING_PLACE_CELL => topology.gluing_type_at_cell(element, job)?,
-            other => return Err(Failure::unknown_value("place", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "place",
+                    other,
+                    &constants![GUSSET_GLUING_PLACE_NODE, GUSSET_GLUING_PLACE_CELL],
+                ));
+            }
         }))
     })
 }

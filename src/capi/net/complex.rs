@@ -1,7 +1,7 @@
 //! The quotient surface: The surface of a net with glued nodes merged.
 
 use crate::capi::context::{create_handle, gusset_context, lend};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::net::{gusset_net, net_of_handle};
@@ -103,7 +103,13 @@ pub unsafe extern "C" fn gusset_net_complex_create(
         Ok(gusset_net_complex(match cells {
             GUSSET_NET_CELLS_ALL => Complex::from_topology(net.topology(), job)?,
             GUSSET_NET_CELLS_PRESENT => Complex::from_net(net, job)?,
-            other => return Err(Failure::unknown_value("cells", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "cells",
+                    other,
+                    &constants![GUSSET_NET_CELLS_ALL, GUSSET_NET_CELLS_PRESENT],
+                ));
+            }
         }))
     })
 }

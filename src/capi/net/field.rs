@@ -1,7 +1,7 @@
 //! Fields: Deforms and projects nets by chains of fields.
 
 use crate::capi::context::{guard_changing_call, gusset_context};
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::input::{self, read_choice};
 use crate::capi::net::transform::{affine_from_numbers, first_three_numbers, gusset_axis};
 use crate::capi::net::{gusset_net, net_of_handle_mut};
@@ -130,11 +130,13 @@ pub(crate) fn read_fields(fields: *const gusset_field, count: usize, time: f64) 
     let given = |field: *const gusset_field| {
         let given = input::read_versioned_struct(field, false, "fields")?;
         let (field, strength) = (given.checked()?, given.strength_at(time)?);
-        Error::require(strength.is_finite(), "strength", strength)?;
+        Error::require(strength.is_finite(), "strength", strength, "finite")?;
         Ok(GivenField { field, strength })
     };
     let fields = input::struct_pointers(fields, count, "fields")?.enumerate();
-    alloc::try_collect(fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.with_item(k))))
+    alloc::try_collect(
+        fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.with_item("fields", k))),
+    )
 }
 
 /// Reads groups of N numbers, at any alignment.
@@ -176,7 +178,28 @@ impl gusset_field {
                 first_three_numbers(&v[3..]),
                 first_three_numbers(&v[6..]),
             )?),
-            other => return Err(Failure::unknown_value("kind", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "kind",
+                    other,
+                    &constants![
+                        GUSSET_FIELD_AFFINE,
+                        GUSSET_FIELD_TWIST,
+                        GUSSET_FIELD_TAPER,
+                        GUSSET_FIELD_BEND,
+                        GUSSET_FIELD_SHEAR,
+                        GUSSET_FIELD_SPHERIFY,
+                        GUSSET_FIELD_CYLINDER_WRAP,
+                        GUSSET_FIELD_TORUS_WRAP,
+                        GUSSET_FIELD_CONE_WRAP,
+                        GUSSET_FIELD_SPHERE_WRAP,
+                        GUSSET_FIELD_LATTICE,
+                        GUSSET_FIELD_PROJECTION,
+                        GUSSET_FIELD_PARALLEL,
+                        GUSSET_FIELD_PERSPECTIVE
+                    ],
+                ));
+            }
         })
     }
 
@@ -196,7 +219,7 @@ impl gusset_field {
         }
         let keys = read_number_groups(self.keys, self.key_count, "keys")?;
         if !time.is_finite() {
-            return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
+            return Err(Error::OptionOutOfRange { option: "time", value: time, allowed: "finite".into() }.into());
         }
         Ok(self.strength * TimedStrength::new(&keys, read_choice(self.easing)?)?.strength_at(time))
     }

@@ -1,7 +1,7 @@
 //! Gluing of nodes: Glues and unglues nodes; the 18 local gluings.
 
 use crate::capi::context::{guard_changing_call, gusset_context};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::input::{self, read_flag};
 use crate::capi::net::gluing::{gusset_seam, to_seam};
 use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
@@ -93,9 +93,9 @@ impl gusset_gluing {
         let has_mask = !matches!(self.kind, GUSSET_GLUING_LINK | GUSSET_GLUING_SEAM);
         if self.reserved != 0 || (!has_mask && self.mask != 0) {
             let (name, value) = if self.reserved != 0 { ("reserved", self.reserved) } else { ("mask", self.mask) };
-            return Err(Failure::unknown_value(name, value.into()));
+            return Err(Failure::not_zero(name, value.into()));
         }
-        let unknown = || Failure::unknown_value("mask", self.mask.into());
+        let unknown = || Failure::unknown_value("mask", self.mask.into(), "one that the kind of gluing has");
         let mask = u8::try_from(self.mask).map_err(|_| unknown())?;
         Ok(match self.kind {
             GUSSET_GLUING_LINK => Gluing::Link(self.element),
@@ -110,7 +110,20 @@ impl gusset_gluing {
             GUSSET_GLUING_TYPE => {
                 Gluing::from_type(GluingType::from_number(self.mask).ok_or_else(unknown)?, self.element)
             }
-            other => return Err(Failure::unknown_value("kind", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "kind",
+                    other,
+                    &constants![
+                        GUSSET_GLUING_LINK,
+                        GUSSET_GLUING_STAR,
+                        GUSSET_GLUING_CELL,
+                        GUSSET_GLUING_DIAGONAL,
+                        GUSSET_GLUING_SEAM,
+                        GUSSET_GLUING_TYPE
+                    ],
+                ));
+            }
         })
     }
 }
@@ -119,7 +132,7 @@ impl gusset_gluing {
 fn read_gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
     Error::check_count("gluings", count as u64, MAX_NODES)?;
     let given = input::input_items(data, count, "gluings")?.enumerate();
-    alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.with_item(k))))
+    alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.with_item("gluings", k))))
 }
 
 /// Options of gusset_net_glue. Steps: detect, gluings, links, saturate, snap.

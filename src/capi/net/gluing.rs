@@ -90,7 +90,7 @@ fixed! { gusset_seam: 40 }
 /// Converts the caller's sides.
 pub(crate) fn sides_from_bits(bits: gusset_sides) -> Result<Sides, Failure> {
     if bits > 63 {
-        return Err(Failure::unknown_value("sides", bits.into()));
+        return Err(Failure::unknown_value("sides", bits.into(), "a sum of GUSSET_SIDES_ constants"));
     }
     let on = |side: gusset_sides| bits & side != 0;
     Ok(Sides {
@@ -117,7 +117,7 @@ pub(crate) fn sides_to_bits(sides: Sides) -> gusset_sides {
 /// Converts a seam of the caller.
 pub(crate) fn to_seam(seam: &gusset_seam) -> Result<Seam, Failure> {
     if seam.reserved != 0 {
-        return Err(Failure::unknown_value("reserved", seam.reserved.into()));
+        return Err(Failure::not_zero("reserved", seam.reserved.into()));
     }
     let run = |row, column, row_step, column_step| SeamRun { row, column, row_step, column_step };
     Ok(Seam {
@@ -161,7 +161,7 @@ pub(crate) fn read_topology(
     let links = if gluing.matrix.is_null() {
         ContractedLinks::Sides(sides_from_bits(gluing.sides)?)
     } else if gluing.sides != 0 {
-        return Err(Failure::unknown_value("sides, beside a matrix,", gluing.sides.into()));
+        return Err(Failure::unknown_value("sides", gluing.sides.into(), "0 beside a matrix"));
     } else {
         let bytes = input::input_bytes(gluing.matrix.cast(), 2 * shape.node_count(), 1, "matrix")?;
         ContractedLinks::Matrix(LinkMatrix::from_bytes(shape, bytes)?)

@@ -138,7 +138,7 @@ impl gusset_concatenate_options {
 /// Reads the nets of an array of handles.
 fn nets_of_handles<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
     Error::check_count("nets", count as u64, MAX_NODES)?;
-    let handles = handle::get_objects(handles, count, "net")?;
+    let handles = handle::get_objects(handles, count, "nets")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }
 
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn gusset_net_split_create(
         let [first, second] = slots;
         let (first, second) = (first?, second?);
         if ptr::eq(first, second) {
-            return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
+            return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second point to one place; pass two"));
         }
         let parts = net_of_handle(net)?.split(bridge, job)?.map(|part| handle::box_with_kind(gusset_net::new(part)));
         job.finish()?;

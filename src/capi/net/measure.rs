@@ -87,7 +87,7 @@ pub unsafe extern "C" fn gusset_net_measure(
     answer_into_struct(context, (report, "report"), |job| {
         let net = net_of_handle(net)?;
         if measures > 7 {
-            return Err(Failure::unknown_value("measures", measures.into()));
+            return Err(Failure::unknown_value("measures", measures.into(), "a sum of GUSSET_NET_MEASURE_ constants"));
         }
         let wanted = |which: gusset_net_measures| measures & which != 0;
         let mut report = gusset_net_measure_report::default();

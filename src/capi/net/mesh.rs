@@ -1,7 +1,7 @@
 //! Meshes and heights: Converts nets to meshes and back, and heights to nets.
 
 use crate::capi::context::{create_handle, create_handle_and_outputs, gusset_context, lend};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::gusset_scalar;
@@ -165,7 +165,13 @@ impl gusset_net_mesh_options {
                 GUSSET_NET_QUADS => None,
                 GUSSET_NET_TRIANGLES_SHORTER => Some(Diagonal::Shorter),
                 GUSSET_NET_TRIANGLES_FIXED => Some(Diagonal::Fixed),
-                other => return Err(Failure::unknown_value("faces", other.into())),
+                other => {
+                    return Err(Failure::unknown_choice(
+                        "faces",
+                        other,
+                        &constants![GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER, GUSSET_NET_TRIANGLES_FIXED],
+                    ));
+                }
             },
             weld: !read_flag(self.no_weld, "no_weld")?,
             keep_unused: read_flag(self.keep_unused, "keep_unused")?,
@@ -310,7 +316,13 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
         let found = match options.cells {
             GUSSET_GRID_QUADS => net_of_grid(&view, face, &job)?,
             GUSSET_GRID_TRIANGLES => net_of_triangles(&view, &job)?,
-            other => return Err(Failure::unknown_value("cells", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "cells",
+                    other,
+                    &constants![GUSSET_GRID_QUADS, GUSSET_GRID_TRIANGLES],
+                ));
+            }
         };
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok((

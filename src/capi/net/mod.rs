@@ -23,7 +23,7 @@ pub mod settle;
 pub mod validate;
 
 use crate::capi::context::{create_handle, guard_call, guard_changing_call, gusset_context, lend};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, Choice, read_choice};
 use crate::capi::mesh::gusset_scalar;
@@ -98,10 +98,10 @@ impl MatrixLayout {
         };
         // Row-major or column-major; in either case numbers must not overlap.
         let (width, height) = (extent(shape.columns(), column, size)?, extent(shape.rows(), row, size)?);
-        let (stride, least) = if column < size || row < size {
-            (column.min(row), size)
+        let (what, stride, least) = if column < size || row < size {
+            ("numbers", column.min(row), size)
         } else if row < width && column < height {
-            (row, width)
+            ("rows", row, width)
         } else {
             let span = extent(shape.rows(), row, width)?;
             return if span <= isize::MAX as usize {
@@ -110,7 +110,7 @@ impl MatrixLayout {
                 Err(overflow())
             };
         };
-        Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
+        Err(Error::StrideTooSmall { what, stride: stride as u64, min: least as u64 }.into())
     }
 
     /// Returns the offset of number (i, j).
@@ -163,7 +163,7 @@ fn borrow_matrices<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Xy
     if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.byte_span)
         && starts.iter().all(|&start| start != 0)
     {
-        return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap"));
+        return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap; pass separate arrays"));
     }
     let matrix = |data: *mut c_void, name| input::result_buffer::<T>(data.cast(), layout.byte_span / size, name);
     let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
@@ -221,7 +221,9 @@ pub unsafe extern "C" fn gusset_net_create(
     create_handle(context, net, "net", |job| match memory {
         GUSSET_NET_MEMORY_COPY => create_net_of_view(view, gluing, false, job),
         GUSSET_NET_MEMORY_BORROW => create_net_of_view(view, gluing, true, job),
-        other => Err(Failure::unknown_value("memory", other.into())),
+        other => {
+            Err(Failure::unknown_choice("memory", other, &constants![GUSSET_NET_MEMORY_COPY, GUSSET_NET_MEMORY_BORROW]))
+        }
     })
 }
 

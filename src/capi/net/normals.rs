@@ -18,7 +18,7 @@ fn matrices_of_buffers<T: Real>(
 ) -> Result<XyzMatrices<'static, T>, Failure> {
     let count = net.shape().node_count();
     if capacity < count {
-        let message = format!("x, y and z have room for {capacity} numbers, but {count} are needed");
+        let message = format!("x, y and z have room for {capacity} numbers; they need room for {count}");
         return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     check_no_overlap(net, buffers, count * size_of::<T>())?;
@@ -43,7 +43,11 @@ fn check_no_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> R
     };
     let good = (0..3).all(|k| apart(own[k], own[(k + 1) % 3]) && ranges.iter().all(|&range| apart(own[k], range)));
     let is_null = buffers.iter().any(|start| start.is_null());
-    if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
+    if good || is_null {
+        Ok(())
+    } else {
+        Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap; pass separate arrays"))
+    }
 }
 
 /// Computes the unit normal of every node.

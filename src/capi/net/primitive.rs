@@ -1,7 +1,7 @@
 //! Shapes: Spheres, cylinders, boxes, tori, one-sided surfaces and others.
 
 use crate::capi::context::{create_handle, gusset_context};
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::input::{self, read_choice};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::gusset_net;
@@ -117,7 +117,29 @@ impl gusset_net_primitive {
             GUSSET_NET_KLEIN => Primitive::Klein { radius, minor_radius },
             GUSSET_NET_PROJECTIVE_PLANE => Primitive::ProjectivePlane { radius },
             GUSSET_NET_PILLOW => Primitive::Pillow { size: [size[0], size[1]], thickness: height },
-            other => return Err(Failure::unknown_value("shape", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "shape",
+                    other,
+                    &constants![
+                        GUSSET_NET_PLANE,
+                        GUSSET_NET_SPHERE,
+                        GUSSET_NET_ONE_POLE_SPHERE,
+                        GUSSET_NET_TUBE,
+                        GUSSET_NET_CYLINDER,
+                        GUSSET_NET_PRISM,
+                        GUSSET_NET_CONE,
+                        GUSSET_NET_PYRAMID,
+                        GUSSET_NET_LATHE,
+                        GUSSET_NET_TORUS,
+                        GUSSET_NET_BOX,
+                        GUSSET_NET_MOEBIUS,
+                        GUSSET_NET_KLEIN,
+                        GUSSET_NET_PROJECTIVE_PLANE,
+                        GUSSET_NET_PILLOW
+                    ],
+                ));
+            }
         })
     }
 }

@@ -120,7 +120,9 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
         job.finish()?;
         *count = made.len();
         if capacity < made.len() {
-            return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));
+            let (needed, status) = (made.len(), GUSSET_ERROR_BUFFER_TOO_SMALL);
+            let message = format!("levels has room for {capacity} nets; it needs room for {needed}");
+            return Err(Failure { value: needed as f64, ..Failure::new(status, message) });
         }
         slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::into_handle(level));
         Ok(())

@@ -1,7 +1,7 @@
 //! Affine maps: Moves, rotates and scales nets.
 
 use crate::capi::context::{guard_changing_call, gusset_context};
-use crate::capi::glue::{c_enum, fixed};
+use crate::capi::glue::{c_enum, constants, fixed};
 use crate::capi::input::{self, read_choice};
 use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
@@ -65,7 +65,7 @@ impl gusset_operation {
     fn read_affine(&self) -> Result<Affine, Failure> {
         let v = &self.values;
         if self.kind != GUSSET_OPERATION_COMPRESS && self.axis != 0 {
-            return Err(Failure::unknown_value("axis", self.axis.into()));
+            return Err(Failure::unknown_value("axis", self.axis.into(), "0 unless the operation compresses"));
         }
         Ok(match self.kind {
             GUSSET_OPERATION_TRANSLATE => Affine::translation(first_three_numbers(v))?,
@@ -82,7 +82,21 @@ impl gusset_operation {
             GUSSET_OPERATION_COMPRESS => Affine::compression(read_choice(self.axis)?, v[0])?,
             GUSSET_OPERATION_STRETCH => Affine::stretching(first_three_numbers(v))?,
             GUSSET_OPERATION_MATRIX => affine_from_numbers(v)?,
-            other => return Err(Failure::unknown_value("kind", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "kind",
+                    other,
+                    &constants![
+                        GUSSET_OPERATION_TRANSLATE,
+                        GUSSET_OPERATION_ROTATE,
+                        GUSSET_OPERATION_ROTATE_AS_PRINTED,
+                        GUSSET_OPERATION_SCALE,
+                        GUSSET_OPERATION_COMPRESS,
+                        GUSSET_OPERATION_STRETCH,
+                        GUSSET_OPERATION_MATRIX
+                    ],
+                ));
+            }
         })
     }
 }
@@ -92,7 +106,7 @@ fn compose_operations(operations: *const gusset_operation, count: usize) -> Resu
     let operations = input::input_items(operations, count, "operations")?;
     operations.enumerate().try_fold(Affine::IDENTITY, |chain, (k, operation)| {
         let then = |next: Affine| Ok(chain.then(&next)?);
-        operation.read_affine().and_then(then).map_err(|failure: Failure| failure.with_item(k))
+        operation.read_affine().and_then(then).map_err(|failure: Failure| failure.with_item("operations", k))
     })
 }
 

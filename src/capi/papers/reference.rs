@@ -4,7 +4,7 @@
 
 use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::curve::{gusset_curve, view_of_curve};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, read_flag};
 use crate::capi::status::{Failure, gusset_status};
@@ -127,7 +127,22 @@ impl gusset_reference_task {
             GUSSET_REFERENCE_CURVE => Figure::Curve(view_of_curve(self.curve, "curve")?),
             GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get_object(self.surface, "surface")?.0),
             GUSSET_REFERENCE_ANGLE => return Ok(None),
-            other => return Err(Failure::unknown_value("object", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "object",
+                    other,
+                    &constants![
+                        GUSSET_REFERENCE_POINT,
+                        GUSSET_REFERENCE_PLANE,
+                        GUSSET_REFERENCE_LINE,
+                        GUSSET_REFERENCE_SEGMENT,
+                        GUSSET_REFERENCE_RAY,
+                        GUSSET_REFERENCE_CURVE,
+                        GUSSET_REFERENCE_SURFACE,
+                        GUSSET_REFERENCE_ANGLE
+                    ],
+                ));
+            }
         }))
     }
 

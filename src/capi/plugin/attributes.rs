@@ -29,7 +29,7 @@ pub(super) static ATTRIBUTE_FUNCTIONS: gusset_plugin_attributes = gusset_plugin_
 fn origins_of_output(held: &OutputForHost, index: u32) -> Result<&Origins, Failure> {
     match held {
         OutputForHost::Mesh(_, Some(origins)) => Ok(origins),
-        _ => Err(Failure::no_such_element("output with origins", index as usize)),
+        _ => Err(Failure::wrong_output(index, "a mesh with origins; request origins from the run")),
     }
 }
 

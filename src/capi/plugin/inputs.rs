@@ -99,7 +99,7 @@ fn read_curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curve
         if !view.closed.is_null() {
             let closed = input::input_bytes(view.closed.cast(), view.curve_count, 1, "closed")?;
             if let Some(&other) = closed.iter().find(|&&byte| byte > 1) {
-                return Err(Failure::unknown_value("closed", other.into()));
+                return Err(Failure::unknown_value("closed", other.into(), "0 or 1"));
             }
             found.closed = alloc::collect(closed.iter().map(|&byte| byte == 1))?;
         }
@@ -113,7 +113,7 @@ pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
     match input::read_versioned_struct(host, true, "host")?.origins {
         0 => Ok(false),
         1 => Ok(true),
-        other => Err(Failure::unknown_value("origins", other.into())),
+        other => Err(Failure::unknown_value("origins", other.into(), "0 or 1")),
     }
 }
 

@@ -18,7 +18,8 @@ use std::ptr;
 impl gusset_outputs {
     /// Output `index`, if it exists.
     pub(super) fn held_output(&self, index: u32) -> Result<&OutputForHost, Failure> {
-        self.outputs.get(index as usize).ok_or_else(|| Failure::no_such_element("output", index as usize))
+        let no_such = || Failure::no_such_element("output", index as usize, self.outputs.len());
+        self.outputs.get(index as usize).ok_or_else(no_such)
     }
 }
 
@@ -51,7 +52,7 @@ pub(super) unsafe extern "C" fn output_mesh(
     let mesh = mesh.cast::<gusset_mesh_view>();
     let status = lend!(outputs, mesh, |outputs| match outputs.held_output(index)? {
         OutputForHost::Mesh(mesh, _) => mesh::lend_mesh(mesh),
-        _ => return Err(Failure::no_such_element("mesh", index as usize)),
+        _ => return Err(Failure::wrong_output(index, "a mesh")),
     });
     status as i32
 }
@@ -74,7 +75,7 @@ pub(super) unsafe extern "C" fn output_curves(
             scalar: GUSSET_PLUGIN_F64,
             reserved: 0,
         },
-        _ => return Err(Failure::no_such_element("set of curves", index as usize)),
+        _ => return Err(Failure::wrong_output(index, "a set of curves")),
     });
     status as i32
 }

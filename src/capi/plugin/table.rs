@@ -265,7 +265,12 @@ fn filter_of_pointer(filter: *const gusset_filter) -> Result<&'static Filter, Fa
     if filter.is_null() {
         return Err(Failure::null_argument("filter"));
     }
-    let unknown = || Failure::new(gusset_status::GUSSET_ERROR_NO_SUCH_ELEMENT, "filter does not belong to the plugin");
+    let unknown = || {
+        Failure::new(
+            gusset_status::GUSSET_ERROR_NO_SUCH_ELEMENT,
+            "filter does not belong to the plugin; take it from the plugin's table",
+        )
+    };
     entry_of_pointer(filter).map(|(_, filter)| filter).ok_or_else(unknown)
 }
 

@@ -5,7 +5,7 @@
 pub mod instances;
 
 use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input;
 use crate::capi::net::gusset_net;
@@ -221,7 +221,13 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
                 GUSSET_VISIBILITY_KEEP => None,
                 GUSSET_VISIBILITY_SHOW => Some(true),
                 GUSSET_VISIBILITY_HIDE => Some(false),
-                other => return Err(Failure::unknown_value("visibility", other.into())),
+                other => {
+                    return Err(Failure::unknown_choice(
+                        "visibility",
+                        other,
+                        &constants![GUSSET_VISIBILITY_KEEP, GUSSET_VISIBILITY_SHOW, GUSSET_VISIBILITY_HIDE],
+                    ));
+                }
             },
         };
         Ok(scene_of_handle_mut(scene, job)?.set_entry(entry, changes)?)

@@ -1,7 +1,7 @@
 //! Streams: Encodes nets as bytes, and decodes them.
 
 use crate::capi::context::{answer_into_struct, create_handle, guard_changing_call, gusset_context, lend};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice, lend_list, read_flag};
 use crate::capi::mesh::gusset_scalar;
@@ -118,27 +118,40 @@ impl gusset_stream_options {
             (GUSSET_STREAM_LOSSLESS, 0) => StreamMode::Lossless,
             (GUSSET_STREAM_RAW, 0) => StreamMode::Raw,
             (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => {
-                return Err(Failure::unknown_value("bits", bits.into()));
+                return Err(Failure::unknown_value("bits", bits.into(), "0 unless coordinates are quantised"));
             }
-            (other, _) => return Err(Failure::unknown_value("mode", other.into())),
+            (other, _) => {
+                return Err(Failure::unknown_choice(
+                    "mode",
+                    other,
+                    &constants![GUSSET_STREAM_QUANTISED, GUSSET_STREAM_LOSSLESS, GUSSET_STREAM_RAW],
+                ));
+            }
         };
         let per_axis = read_flag(self.per_axis, "per_axis")?;
         if per_axis && !matches!(mode, StreamMode::Quantised { .. }) {
-            return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
+            let allowed = "0 unless coordinates are quantised";
+            return Err(Failure::unknown_value("per_axis", self.per_axis.into(), allowed));
         }
         let levels = match self.levels {
             GUSSET_LEVELS_AUTO => None,
             GUSSET_LEVELS_GIVEN if matches!(mode, StreamMode::Quantised { .. }) => {
                 let step = (self.step != 0.0).then_some(self.step);
                 if step.is_some() && self.bits != 0 {
-                    return Err(Failure::unknown_value("bits", self.bits.into()));
+                    return Err(Failure::unknown_value("bits", self.bits.into(), "0 beside a step"));
                 }
                 if step.is_some() && per_axis {
-                    return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
+                    return Err(Failure::unknown_value("per_axis", self.per_axis.into(), "0 beside a step"));
                 }
                 Some(LevelBox { low: self.low, high: self.high, step })
             }
-            other => return Err(Failure::unknown_value("levels", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "levels",
+                    other,
+                    &constants![GUSSET_LEVELS_AUTO, GUSSET_LEVELS_GIVEN],
+                ));
+            }
         };
         Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block, levels })
     }

@@ -1,7 +1,7 @@
 //! Sections: Sections by planes, contours, isophotes and silhouettes.
 
 use crate::capi::context::{answer_into_struct, create_handle, gusset_context};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::input::{self, read_flag};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, surface_of_handle};
@@ -98,7 +98,18 @@ pub(crate) fn to_point_spacing(spacing: gusset_spacing_rule, chord: f64, points:
         GUSSET_POINT_SPACING_CHORD => PointSpacing::Chord(chord),
         GUSSET_POINT_SPACING_CELL_EDGES => PointSpacing::CellEdges,
         GUSSET_POINT_SPACING_LEUS => PointSpacing::Leus(points),
-        other => return Err(Failure::unknown_value("spacing", other.into())),
+        other => {
+            return Err(Failure::unknown_choice(
+                "spacing",
+                other,
+                &constants![
+                    GUSSET_POINT_SPACING_AUTO,
+                    GUSSET_POINT_SPACING_CHORD,
+                    GUSSET_POINT_SPACING_CELL_EDGES,
+                    GUSSET_POINT_SPACING_LEUS
+                ],
+            ));
+        }
     })
 }
 
@@ -156,7 +167,13 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
                 surface.contours(&values, &levels, between, job)?
             }
             GUSSET_CONTOUR_ANGLE => surface.isophotes(direction, &levels, unsigned, between, job)?,
-            other => return Err(Failure::unknown_value("kind", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "kind",
+                    other,
+                    &constants![GUSSET_CONTOUR_HEIGHT, GUSSET_CONTOUR_VALUES, GUSSET_CONTOUR_ANGLE],
+                ));
+            }
         };
         Ok(found.try_into()?)
     })

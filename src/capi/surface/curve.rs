@@ -3,6 +3,7 @@
 use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
 use crate::capi::curve::{gusset_curve, read_points, view_of_curve};
+use crate::capi::glue::constants;
 use crate::capi::handle;
 use crate::capi::input::{read_choice, read_flag};
 use crate::capi::status::{Failure, gusset_status};
@@ -59,7 +60,13 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
         Ok(gusset_curve(match along {
             GUSSET_ALONG_ROWS => sheet.row_curve(parameter, job)?,
             GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter, job)?,
-            other => return Err(Failure::unknown_value("along", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "along",
+                    other,
+                    &constants![GUSSET_ALONG_ROWS, GUSSET_ALONG_COLUMNS],
+                ));
+            }
         }))
     })
 }

@@ -2,7 +2,7 @@
 
 use crate::capi::context::{answer_into_struct, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
-use crate::capi::glue::versioned;
+use crate::capi::glue::{constants, versioned};
 use crate::capi::handle;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
@@ -149,7 +149,13 @@ pub unsafe extern "C" fn gusset_surface_distance(
                 let found = surface.distance_to_surface(&other.0, tolerance, job)?;
                 gusset_distance_report { other_place: found.other.into(), ..gusset_distance_report::new(&found) }
             }
-            other => return Err(Failure::unknown_value("kind", other.into())),
+            other => {
+                return Err(Failure::unknown_choice(
+                    "kind",
+                    other,
+                    &constants![GUSSET_TARGET_LINE, GUSSET_TARGET_PLANE, GUSSET_TARGET_CURVE, GUSSET_TARGET_SURFACE],
+                ));
+            }
         })
     })
 }

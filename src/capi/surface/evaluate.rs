@@ -90,7 +90,7 @@ const PLACES_PER_REPORT: usize = 1 << 20;
 pub(crate) fn read_surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
     let place = |(k, given): (usize, gusset_surface_place)| match given.reserved {
         0 => Ok(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v }),
-        other => Err(Failure::unknown_value("reserved", other.into()).with_item(k)),
+        other => Err(Failure::not_zero("reserved", other.into()).with_item("places", k)),
     };
     alloc::try_collect(input::input_items(data, count, "places")?.enumerate().map(place))
 }

@@ -4,7 +4,7 @@
 
 use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::curve::read_points;
-use crate::capi::glue::{c_enum, versioned};
+use crate::capi::glue::{c_enum, constants, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::gusset_scalar;
@@ -183,7 +183,13 @@ fn sheet_with_tangents(
         GUSSET_TWISTS_ADINI => Twists::Adini,
         GUSSET_TWISTS_ZERO => Twists::Zero,
         GUSSET_TWISTS_GIVEN => Twists::Given(&twists),
-        other => return Err(Failure::unknown_value("twist", other.into())),
+        other => {
+            return Err(Failure::unknown_choice(
+                "twist",
+                other,
+                &constants![GUSSET_TWISTS_DIFFERENCES, GUSSET_TWISTS_ADINI, GUSSET_TWISTS_ZERO, GUSSET_TWISTS_GIVEN],
+            ));
+        }
     };
     Ok(Sheet::from_tangents(&Tangents { nodes, u: &u, v: &v, twists, closed }, job)?)
 }

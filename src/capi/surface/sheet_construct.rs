@@ -10,7 +10,7 @@ use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
 use crate::curve::CurveView;
-use crate::error::Error;
+use crate::error::{Allowed, Error};
 use crate::job::Job;
 use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions};
 use crate::surface::{MAX_DEGREE, Patches, Sheet};
@@ -143,7 +143,12 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     create_handle(context, sheet, "sheet", |_| {
         let degrees = [degree_u as usize, degree_v as usize];
         if let Some(&degree) = degrees.iter().find(|degree| !(1..=MAX_DEGREE).contains(*degree)) {
-            return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
+            return Err(Error::OptionOutOfRange {
+                option: "degree",
+                value: degree as f64,
+                allowed: Allowed::from(1.0..=MAX_DEGREE as f64),
+            }
+            .into());
         }
         let each = (degrees[0] + 1) * (degrees[1] + 1);
         let count = input::checked_product(input::checked_product(rows, columns, "patches")?, each, "control points")?;

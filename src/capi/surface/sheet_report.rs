@@ -152,7 +152,7 @@ fn optional_cell_buffer<'a>(
         return Ok(None);
     }
     if capacity < needed {
-        let message = format!("the buffer has room for {capacity} cells, but {needed} are needed");
+        let message = format!("the buffer has room for {capacity} cells; it needs room for {needed}");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     input::result_buffer(pointer, needed, name).map(Some)
@@ -181,7 +181,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
         let cells = input::read_versioned_struct(cells, true, "cells")?;
         let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
         if parts & !all != 0 {
-            return Err(Failure::unknown_value("parts", parts.into()));
+            return Err(Failure::unknown_value("parts", parts.into(), "a sum of GUSSET_SHEET_MEASURE_ constants"));
         }
         let is_wanted = |part| out.is_some() && (parts == 0 || parts & part != 0);
         let needed = sheet.cells().iter().product();

@@ -39,10 +39,17 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
         PointSpacing::Auto => None,
         PointSpacing::CellEdges => Some(f64::INFINITY),
         PointSpacing::Chord(chord) if chord.is_infinite() => {
-            return Err(Error::OptionOutOfRange { option: "chord", value: chord }.into());
+            return Err(Error::OptionOutOfRange {
+                option: "chord",
+                value: chord,
+                allowed: "finite and above 0".into(),
+            }
+            .into());
         }
         PointSpacing::Chord(chord) => Some(chord),
-        PointSpacing::Leus(_) => return Err(Failure::unknown_value("spacing", options.spacing.into())),
+        PointSpacing::Leus(_) => {
+            return Err(Failure::unknown_value("spacing", options.spacing.into(), "a spacing other than Leus"));
+        }
     };
     Ok(Options { chord, tolerance: (options.tolerance != 0.0).then_some(options.tolerance) })
 }

@@ -40,7 +40,7 @@ impl<'a> Strided<'a> {
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
     pub fn byte_span(count: usize, stride: usize, size: usize, what: &'static str) -> Result<usize> {
         if stride != 0 && stride < size {
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
+            return Err(Error::StrideTooSmall { what, stride: stride as u64, min: size as u64 });
         }
         let Some(gaps) = count.checked_sub(1) else {
             return Ok(0);
@@ -105,7 +105,10 @@ mod tests {
         assert_eq!(Strided::packed(&[7u32, 8]).get::<u32>(1), 8);
         assert_eq!(Strided::byte_span(0, 9, 4, "numbers"), Ok(0));
         assert_eq!(Strided::byte_span(1, 9, 4, "numbers"), Ok(4));
-        assert_eq!(Strided::byte_span(2, 3, 4, "numbers"), Err(Error::StrideTooSmall { stride: 3, min: 4 }));
+        assert_eq!(
+            Strided::byte_span(2, 3, 4, "numbers"),
+            Err(Error::StrideTooSmall { what: "numbers", stride: 3, min: 4 })
+        );
         let overflow = Err(Error::SizeOverflow { what: "numbers", count: 3 });
         assert_eq!(Strided::byte_span(3, usize::MAX / 2, 4, "numbers"), overflow);
         assert_eq!(Strided::byte_span(3, isize::MAX as usize / 2, 4, "numbers"), overflow);

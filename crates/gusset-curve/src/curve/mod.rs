@@ -10,7 +10,7 @@ pub(crate) mod unit_frame;
 
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Element, Error, Result};
+use gusset_base::error::{Allowed, Element, Error, Result};
 use gusset_base::job::Job;
 
 pub use segment::MAX_DEGREE;
@@ -66,7 +66,7 @@ impl<'a> CurveView<'a> {
                 return Err(bad(k));
             }
             let degree = (ends[k] - ends[k - 1]) as usize;
-            Error::require(degree <= MAX_DEGREE, "degree", degree as f64)?;
+            Error::require(degree <= MAX_DEGREE, "degree", degree as f64, Allowed::AtMost(MAX_DEGREE as f64))?;
         }
         if ends.len() > 1 && ends[ends.len() - 1] as usize != points.len() - 1 {
             return Err(bad(ends.len() - 1));

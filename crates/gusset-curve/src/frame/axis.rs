@@ -32,13 +32,13 @@ pub(super) fn axis_frames(
         Axis::Points(points) => points,
     };
     let n = sections;
-    Error::require(points.len() == n, "axis_points", points.len() as f64)?;
+    Error::require(points.len() == n, "axis_points", points.len() as f64, n as f64..=n as f64)?;
     // With fewer sections, the frame fails on their number.
     if n < if ring { 3 } else { 2 } {
         return Ok(Vec::new());
     }
     let bad = points.iter().flat_map(DVec3::to_array).find(|x| !x.is_finite());
-    bad.map_or(Ok(()), |x| Error::require(false, "axis_points", x))?;
+    bad.map_or(Ok(()), |x| Error::require(false, "axis_points", x, "finite"))?;
     // Halve the points first, because their difference may overflow.
     let half = |k: usize| points[k % n] * 0.5;
     let chord = |k: usize| {
@@ -94,7 +94,7 @@ fn circle_tangent_at(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DV
 
 fn normalise_option_vector(v: DVec3, option: &'static str) -> Result<DVec3> {
     let largest = v.abs().max_element();
-    Error::require(v.is_finite() && largest > 0.0, option, largest)?;
+    Error::require(v.is_finite() && largest > 0.0, option, largest, "a finite vector other than 0")?;
     Ok((v / largest).normalize())
 }
 
@@ -103,7 +103,12 @@ fn normalise_option_vector(v: DVec3, option: &'static str) -> Result<DVec3> {
 fn orthonormal_axes(along: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
     let reference = normalise_option_vector(reference, "reference")?;
     let across = reference - along * reference.dot(along);
-    Error::require(across.length() >= MIN_AXIS_TO_REFERENCE_SINE, "reference", across.length())?;
+    Error::require(
+        across.length() >= MIN_AXIS_TO_REFERENCE_SINE,
+        "reference",
+        across.length(),
+        "at an angle to the axis",
+    )?;
     let first = across.normalize();
     Ok([along, first, along.cross(first)])
 }

@@ -38,7 +38,7 @@ struct SectionRows {
 /// filled ones, ascending.
 pub(super) fn fill_missing(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<(Vec<[f64; 3]>, Vec<u32>)> {
     let is_given = options.correspondence == Correspondence::Given;
-    Error::require(is_given, "missing", options.missing.len() as f64)?;
+    Error::require(is_given, "missing", options.missing.len() as f64, "0 unless all nodes are given")?;
     let mut rows = SectionRows::new(sections, options)?;
     let parameters = rows.section_parameters()?;
     let mut present = Vec::new();

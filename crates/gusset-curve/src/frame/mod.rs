@@ -39,7 +39,7 @@ use crate::identify::{Constraint, Fit, Options, Outlines, PointConstraint, Point
 
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::{Aabb, scale::common_unit};
 use gusset_base::job::Job;
 
@@ -109,10 +109,15 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     }
     let rows = sections.check_offsets_and_constraints()?;
     let least = |closed: bool| if closed { 3 } else { 2 };
-    Error::require(rows >= least(options.ring), "sections", rows as f64)?;
+    Error::require(rows >= least(options.ring), "sections", rows as f64, Allowed::AtLeast(least(options.ring) as f64))?;
     let found = section_nodes::compute_section_nodes(sections, options, &job.sub_job(0.0, 0.4))?;
     let columns = found.columns;
-    Error::require(columns >= least(sections.closed), "columns", columns as f64)?;
+    Error::require(
+        columns >= least(sections.closed),
+        "columns",
+        columns as f64,
+        Allowed::AtLeast(least(sections.closed) as f64),
+    )?;
     let kind = PointConstraint::Corner;
     let corners = alloc::collect(found.corners.iter().map(|&point| Constraint { point, kind }))?;
     let smooth = Options { corner_angle: std::f64::consts::PI, ..options.across };

@@ -20,7 +20,7 @@ use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::ArcLengths;
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_base::sort;
@@ -64,7 +64,7 @@ pub(super) fn compute_section_nodes(
         Correspondence::Given => add_given_points(sections, &corners, &mut found)?,
         Correspondence::ArcLength { columns } => {
             let least = if sections.closed { 3 } else { 2 };
-            Error::require(columns >= least, "columns", columns as f64)?;
+            Error::require(columns >= least, "columns", columns as f64, Allowed::AtLeast(least as f64))?;
             add_nodes_by_arc_length(sections, &curves, &corners, columns, options, &mut found, &job)?;
         }
         Correspondence::Angle { columns, axis, reference } => {
@@ -366,9 +366,12 @@ fn add_landmark_nodes(
     found: &mut SectionNodes,
     job: &Job<'_>,
 ) -> Result<()> {
-    let check = |value: usize, allowed: bool| Error::require(allowed, "landmarks", value as f64);
-    check(points.len(), found.rows > 0 && !points.is_empty() && points.len().is_multiple_of(found.rows))?;
-    Error::require(parts > 0, "parts", parts as f64)?;
+    let check = |value: usize, is_valid: bool, allowed: &'static str| {
+        Error::require(is_valid, "landmarks", value as f64, allowed)
+    };
+    let is_even = found.rows > 0 && !points.is_empty() && points.len().is_multiple_of(found.rows);
+    check(points.len(), is_even, "as many as a multiple of the sections")?;
+    Error::require(parts > 0, "parts", parts as f64, "at least 1")?;
     let each = points.len() / found.rows;
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
     found.reserve_columns(columns.unwrap_or(usize::MAX))?;
@@ -382,7 +385,8 @@ fn add_landmark_nodes(
         let may_descend = sections.closed && descents <= 1;
         let wrong =
             (0..each).find(|&i| own[i] as usize >= span.len() || (i > 0 && own[i] <= own[i - 1] && !may_descend));
-        check(k * each + wrong.unwrap_or(0), wrong.is_none())?;
+        let allowed = "the index of a landmark that exists and follows the previous one in its section";
+        check(k * each + wrong.unwrap_or(0), wrong.is_none(), allowed)?;
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
         let lengths = curve.arc_lengths(&of_section.sub_job(0.0, 0.5))?;
         let of_section = of_section.sub_job(0.5, 1.0);

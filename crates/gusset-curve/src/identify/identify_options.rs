@@ -205,16 +205,28 @@ impl Options {
         let alpha = self.method.chord_exponent().unwrap_or(0.5);
         let fraction = |value: f64| (0.0..1.0).contains(&value);
         let ranges = [
-            ("alpha", alpha, (0.0..=1.0).contains(&alpha)),
-            ("parameter_limit", self.parameter_limit, (1e-3..0.5).contains(&self.parameter_limit)),
-            ("repeat_tolerance", self.repeat_tolerance, fraction(self.repeat_tolerance)),
-            ("corner_angle", self.corner_angle, self.corner_angle >= 0.0),
-            ("tolerance", self.tolerance, fraction(self.tolerance)),
-            ("first_step", self.first_step, self.first_step > 0.0 && self.first_step <= 1.0),
-            ("max_sweeps", f64::from(self.max_sweeps), self.max_sweeps > 0),
-            ("max_steps", f64::from(self.max_steps), self.max_steps > 0),
-            ("step_divisor", self.step_divisor, self.step_divisor > 1.0 && self.step_divisor <= 1e6),
+            ("alpha", alpha, (0.0..=1.0).contains(&alpha), "from 0 to 1"),
+            (
+                "parameter_limit",
+                self.parameter_limit,
+                (1e-3..0.5).contains(&self.parameter_limit),
+                "at least 0.001 and below 0.5",
+            ),
+            ("repeat_tolerance", self.repeat_tolerance, fraction(self.repeat_tolerance), "at least 0 and below 1"),
+            ("corner_angle", self.corner_angle, self.corner_angle >= 0.0, "at least 0"),
+            ("tolerance", self.tolerance, fraction(self.tolerance), "at least 0 and below 1"),
+            ("first_step", self.first_step, self.first_step > 0.0 && self.first_step <= 1.0, "above 0 and at most 1"),
+            ("max_sweeps", f64::from(self.max_sweeps), self.max_sweeps > 0, "at least 1"),
+            ("max_steps", f64::from(self.max_steps), self.max_steps > 0, "at least 1"),
+            (
+                "step_divisor",
+                self.step_divisor,
+                self.step_divisor > 1.0 && self.step_divisor <= 1e6,
+                "above 1 and at most 1e6",
+            ),
         ];
-        ranges.into_iter().try_for_each(|(option, value, allowed)| Error::require(allowed, option, value))
+        ranges
+            .into_iter()
+            .try_for_each(|(option, value, is_valid, allowed)| Error::require(is_valid, option, value, allowed))
     }
 }

@@ -32,7 +32,7 @@ impl<'a> Points<'a> {
     /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
     /// [`Error::SizeOverflow`].
     pub fn bytes_needed(stride: usize, count: usize, dimension: usize) -> Result<usize> {
-        Error::require((2..=3).contains(&dimension), "dimension", dimension as f64)?;
+        Error::require((2..=3).contains(&dimension), "dimension", dimension as f64, "2 or 3")?;
         Error::check_count("points", count as u64, MAX_POINTS as u64)?;
         Strided::byte_span(count, stride, 8 * dimension, "points")
     }

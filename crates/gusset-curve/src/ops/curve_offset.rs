@@ -68,10 +68,10 @@ impl CurveView<'_> {
         self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
         let d = frame.length_to_frame(distance);
-        Error::require(d.abs() <= 1e100, "distance", distance)?;
-        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
-        Error::require((2..=3).contains(&options.degree), "degree", options.degree as f64)?;
-        Error::require(options.max_segments > 0, "max_segments", options.max_segments as f64)?;
+        Error::require(d.abs() <= 1e100, "distance", distance, "at most 1e100 times the curve's size")?;
+        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance, "above 0")?;
+        Error::require((2..=3).contains(&options.degree), "degree", options.degree as f64, "2 or 3")?;
+        Error::require(options.max_segments > 0, "max_segments", options.max_segments as f64, "at least 1")?;
         let mut fit = OffsetFitter {
             job: *job,
             frame,

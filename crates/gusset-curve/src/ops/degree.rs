@@ -7,7 +7,7 @@ use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{Curve, CurveView, MAX_DEGREE};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::bernstein::binomial_row;
 use gusset_base::geom::linear::cholesky;
 use gusset_base::job::Job;
@@ -30,7 +30,7 @@ pub struct CurveOfReducedDegree {
 }
 
 fn check_degree(degree: usize) -> Result<()> {
-    Error::require((1..=MAX_DEGREE).contains(&degree), "degree", degree as f64)
+    Error::require((1..=MAX_DEGREE).contains(&degree), "degree", degree as f64, 1.0..=MAX_DEGREE as f64)
 }
 
 impl CurveView<'_> {
@@ -92,8 +92,8 @@ impl CurveView<'_> {
     ) -> Result<CurveOfReducedDegree> {
         check_degree(lowest)?;
         check_degree(highest)?;
-        Error::require(lowest <= highest, "lowest", lowest as f64)?;
-        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+        Error::require(lowest <= highest, "lowest", lowest as f64, Allowed::AtMost(highest as f64))?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance, "at least 0")?;
         let mut reduced = CurveOfReducedDegree {
             curve: self.empty_curve_at_start()?,
             deviations: alloc::with_capacity(self.len())?,

@@ -5,7 +5,7 @@ use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, MAX_DEGREE, Place};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 
 /// Places between two progress reports.
@@ -48,7 +48,7 @@ impl CurveView<'_> {
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn derivatives_at(&self, places: &[Place], order: usize, job: &Job<'_>) -> Result<Vec<DVec3>> {
-        Error::require(order <= MAX_DEGREE, "order", order as f64)?;
+        Error::require(order <= MAX_DEGREE, "order", order as f64, Allowed::AtMost(MAX_DEGREE as f64))?;
         let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
         for (index, &place) in places.iter().enumerate() {
             job.step_every(PLACES_PER_REPORT, index, places.len(), PROGRESS_STAGE)?;

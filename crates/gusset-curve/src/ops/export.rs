@@ -102,7 +102,7 @@ impl CurveView<'_> {
     pub fn to_truetype_contour(&self, tolerance: f64, job: &Job<'_>) -> Result<TrueTypeContour> {
         self.check_in_xy_plane()?;
         self.check_degrees(1..=2)?;
-        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance, "at least 0")?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -176,7 +176,14 @@ impl CurveView<'_> {
 
     fn check_degrees(&self, allowed: RangeInclusive<usize>) -> Result<()> {
         let mut degrees = self.segments().map(|controls| controls.len() - 1);
-        degrees.try_for_each(|degree| Error::require(allowed.contains(&degree), "degree", degree as f64))
+        degrees.try_for_each(|degree| {
+            Error::require(
+                allowed.contains(&degree),
+                "degree",
+                degree as f64,
+                (*allowed.start() as f64)..=*allowed.end() as f64,
+            )
+        })
     }
 }
 

@@ -38,7 +38,7 @@ impl CurveView<'_> {
         check_finite(0, point)?;
         check_finite(1, normal)?;
         let largest = normal.abs().max_element();
-        Error::require(largest > 0.0, "normal", largest)?;
+        Error::require(largest > 0.0, "normal", largest, "a vector other than 0")?;
         let frame = UnitFrame::from_points(self.points());
         let level = plane_distance_from_frame_origin(&frame, point, normal);
         let normal = (normal / largest).normalize();

@@ -79,7 +79,7 @@ impl<'a> ArcLengths<'a> {
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
     pub fn place_at_length(&self, length: f64) -> Result<Place> {
-        Error::require(!length.is_nan(), "length", length)?;
+        Error::require(!length.is_nan(), "length", length, "a number")?;
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
         }

@@ -26,7 +26,7 @@ impl CurveView<'_> {
         job: &Job<'_>,
     ) -> Result<NearMisses> {
         let Some(other) = other else {
-            Error::require(within == 0.0, "within", within)?;
+            Error::require(within == 0.0, "within", within, "0 without a second curve")?;
             return self.self_intersections(job)?.into_near_misses();
         };
         if within == 0.0 && self.check_in_xy_plane().is_ok() && other.check_in_xy_plane().is_ok() {

@@ -127,7 +127,7 @@ impl CurveView<'_> {
         if self.is_empty() || other.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        Error::require((0.0..f64::INFINITY).contains(&within), "within", within)?;
+        Error::require((0.0..f64::INFINITY).contains(&within), "within", within, "finite and at least 0")?;
         let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
         let points = [frame.points_to_frame(self.points())?, frame.points_to_frame(other.points())?];
         let sides = [

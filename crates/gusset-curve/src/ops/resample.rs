@@ -8,7 +8,7 @@ use crate::curve::{CurveView, Place};
 use crate::identify::MAX_POINTS;
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 
 const POINTS_PER_REPORT: usize = 1 << 8;
@@ -49,13 +49,13 @@ impl CurveView<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn sample_points(&self, spacing: SampleSpacing, job: &Job<'_>) -> Result<SampledPoints> {
         let least_count = if self.is_closed() { 1.0 } else { 2.0 };
-        let (option, value, least) = match spacing {
-            SampleSpacing::Count(count) => ("count", count as f64, least_count),
-            SampleSpacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
-            SampleSpacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
+        let (option, value, least, allowed) = match spacing {
+            SampleSpacing::Count(count) => ("count", count as f64, least_count, Allowed::AtLeast(least_count)),
+            SampleSpacing::Step(step) => ("step", step, f64::MIN_POSITIVE, "finite and above 0".into()),
+            SampleSpacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE, "above 0".into()),
         };
         let is_bounded = value.is_finite() || !matches!(spacing, SampleSpacing::Step(_));
-        Error::require(value >= least && is_bounded, option, value)?;
+        Error::require(value >= least && is_bounded, option, value, allowed)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }

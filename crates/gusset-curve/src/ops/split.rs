@@ -36,7 +36,7 @@ impl CurveView<'_> {
         if order.is_lt() || (order.is_eq() && !self.is_closed()) {
             return self.sub_curve_forward(from, to, job);
         }
-        Error::require(self.is_closed(), "to", to.t)?;
+        Error::require(self.is_closed(), "to", to.t, "after `from`, because the curve is open")?;
         let mut curve = self.sub_curve_forward(from, self.end_place(), &job.sub_job(0.0, 0.5))?;
         let rest = self.sub_curve_forward(Place::START, to, &job.sub_job(0.5, 1.0))?;
         rest.view().segments().try_for_each(|segment| curve.push_segment(&segment[1..]))?;

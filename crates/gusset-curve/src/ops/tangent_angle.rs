@@ -74,9 +74,9 @@ impl CurveView<'_> {
     /// [`Error::Cancelled`].
     pub fn tangents_at_angle(&self, direction: DVec3, angle: f64, job: &Job<'_>) -> Result<TangentAngles> {
         check_finite(0, direction)?;
-        Error::require((0.0..=PI).contains(&angle), "angle", angle)?;
+        Error::require((0.0..=PI).contains(&angle), "angle", angle, "from 0 to pi")?;
         let largest = direction.abs().max_element();
-        Error::require(largest > 0.0, "direction", largest)?;
+        Error::require(largest > 0.0, "direction", largest, "a vector other than 0")?;
         let along = (direction / largest).normalize();
         let sought = match angle {
             _ if angle <= MAX_SPECIAL_ANGLE_ERROR => AngleCriterion::Parallel(1.0),

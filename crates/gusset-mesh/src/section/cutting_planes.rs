@@ -35,13 +35,19 @@ impl Plane {
 
 /// Checks a point: its coordinates are finite, at most 1e150.
 fn check_vector(vector: DVec3, option: &'static str) -> Result<()> {
-    vector.to_array().into_iter().try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, option, x))
+    vector
+        .to_array()
+        .into_iter()
+        .try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, option, x, "at most 1e150 in every coordinate"))
 }
 
 /// Checks a direction: finite, not 0.
 fn check_direction(direction: DVec3, option: &'static str) -> Result<()> {
-    direction.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))?;
-    Error::require(direction != DVec3::ZERO, option, 0.0)
+    direction
+        .to_array()
+        .into_iter()
+        .try_for_each(|x| Error::require(x.is_finite(), option, x, "finite in every coordinate"))?;
+    Error::require(direction != DVec3::ZERO, option, 0.0, "a vector other than 0")
 }
 
 pub(super) fn check_stack(stack: &PlaneStack<'_>) -> Result<()> {
@@ -49,7 +55,9 @@ pub(super) fn check_stack(stack: &PlaneStack<'_>) -> Result<()> {
     let offsets = stack.offsets;
     Error::check_count("planes", offsets.len() as u64, MAX_PLANES)?;
     let ascends = |k: usize| offsets[k].abs() <= MAX_COORDINATE && (k == 0 || offsets[k] > offsets[k - 1]);
-    (0..offsets.len()).try_for_each(|k| Error::require(ascends(k), "offsets", offsets[k]))
+    (0..offsets.len()).try_for_each(|k| {
+        Error::require(ascends(k), "offsets", offsets[k], "at most 1e150, and above the previous one")
+    })
 }
 
 /// Returns the unit vector of a direction that is not 0.
@@ -71,10 +79,10 @@ pub fn planes_about_axis(point: DVec3, axis: DVec3, reference: DVec3, angles: &[
     check_direction(reference, "reference")?;
     let (axis, reference) = (normalise_direction(axis), normalise_direction(reference));
     let across = axis.cross(reference);
-    Error::require(across.length() > 1e-12, "reference", across.length())?;
+    Error::require(across.length() > 1e-12, "reference", across.length(), "at an angle to the axis")?;
     let across = across.normalize();
     let along = across.cross(axis);
-    angles.iter().try_for_each(|&angle| Error::require(angle.is_finite(), "angles", angle))?;
+    angles.iter().try_for_each(|&angle| Error::require(angle.is_finite(), "angles", angle, "finite"))?;
     alloc::collect(angles.iter().map(|&angle| {
         let (sine, cosine) = libm::sincos(angle);
         Plane { point, normal: across * cosine - along * sine }
@@ -136,7 +144,7 @@ pub fn planes_across_polyline(points: &[DVec3], is_closed: bool, distances: &[f6
         if sum.length() > 1e-9 { sum.normalize() } else { directions[before] }
     };
     let length = places[count];
-    distances.iter().try_for_each(|&d| Error::require((0.0..=length).contains(&d), "distances", d))?;
+    distances.iter().try_for_each(|&d| Error::require((0.0..=length).contains(&d), "distances", d, 0.0..=length))?;
     alloc::collect(distances.iter().map(|&distance| {
         let k = places[1..count].partition_point(|&place| place <= distance);
         let share = (distance - places[k]) / (places[k + 1] - places[k]);

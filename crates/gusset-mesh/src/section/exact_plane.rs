@@ -44,7 +44,7 @@ impl ExactPlane {
         let normal = normal / floor_to_power_of_two(normal.abs().max_element());
         // A normal below 2^-900 stays small.
         let length = normal.length();
-        Error::require(length > 0.0 && length.is_finite(), "normal", length)?;
+        Error::require(length > 0.0 && length.is_finite(), "normal", length, "a finite vector other than 0")?;
         Ok(ExactPlane { origin, normal, length })
     }
 

@@ -32,6 +32,6 @@ pub struct Options {
 
 impl Options {
     pub(super) fn check(&self) -> Result<()> {
-        Error::require(self.tolerance >= 0.0 && self.tolerance.is_finite(), "tolerance", self.tolerance)
+        Error::require(self.tolerance >= 0.0 && self.tolerance.is_finite(), "tolerance", self.tolerance, "finite and at least 0")
     }
 }

@@ -452,12 +452,13 @@ fn bad_input_is_named() {
     let cut = |normal, offsets: &[f64], options: &Options| {
         cut_by_stack(&view, &PlaneStack { point: DVec3::ZERO, normal, offsets }, options, &job).map(|_| ())
     };
-    assert_eq!(cut(DVec3::ZERO, &[0.0], &options), Err(Error::OptionOutOfRange { option: "normal", value: 0.0 }));
-    assert_eq!(cut(Z, &[0.0, 0.0], &options), Err(Error::OptionOutOfRange { option: "offsets", value: 0.0 }));
+    let is_refused = |result: Result<(), Error>, name: &str| matches!(result, Err(Error::OptionOutOfRange { option, .. }) if option == name);
+    assert!(is_refused(cut(DVec3::ZERO, &[0.0], &options), "normal"));
+    assert!(is_refused(cut(Z, &[0.0, 0.0], &options), "offsets"));
     assert!(cut(Z, &[f64::NAN], &options).is_err());
     assert!(cut(Z, &[], &options).is_ok());
     let bad = Options { tolerance: -1.0, ..options };
-    assert_eq!(cut(Z, &[0.5], &bad), Err(Error::OptionOutOfRange { option: "tolerance", value: -1.0 }));
+    assert!(is_refused(cut(Z, &[0.5], &bad), "tolerance"));
     let mut large = mesh.clone();
     large.points[3][1] = -1e200;
     let found = cut_by_planes(&large.view(), &[level(0.5)], &options, &job).map(|_| ());

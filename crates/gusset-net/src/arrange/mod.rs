@@ -18,7 +18,7 @@ pub(crate) use seams::{map_seam, merge_seams};
 
 use super::{Bridge, Direction, Net, Shape, Topology};
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use std::ops::Range;
 
@@ -57,7 +57,12 @@ impl Net<'_> {
         let old = self.shape();
         for (option, range, count) in [("rows", &rows, old.rows()), ("columns", &columns, old.columns())] {
             let is_within = range.start <= range.end && range.end <= count;
-            Error::require(is_within, option, range.end.max(range.start) as f64)?;
+            Error::require(
+                is_within,
+                option,
+                range.end.max(range.start) as f64,
+                Allowed::AtMost(count.min(range.end) as f64),
+            )?;
         }
         // The error then names both numbers.
         Shape::new(rows.len(), columns.len())?;

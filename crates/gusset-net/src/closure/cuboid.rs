@@ -46,7 +46,7 @@ impl Cuboid {
     /// # Errors
     /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`].
     pub fn shape(&self) -> Result<Shape> {
-        Error::require(!self.cells.contains(&0), "cells", 0.0)?;
+        Error::require(!self.cells.contains(&0), "cells", 0.0, "at least 1")?;
         let [a, b, c] = self.cells.map(|n| n as usize);
         Shape::new(c + 1 + 2 * self.cap_row_count(), 2 * (a + b) + 1)
     }

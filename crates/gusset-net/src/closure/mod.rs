@@ -53,7 +53,7 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
 /// corners of a cell would be glued; [`Error::OutOfMemory`].
 pub fn pillow(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
-    Error::require(w % 2 == 1, "columns", w.into())?;
+    Error::require(w % 2 == 1, "columns", w.into(), "odd")?;
     let folded =
         |row| Seam { a: SeamRun::along_row(row, 0, 1), b: SeamRun::along_row(row, w - 1, -1), count: w.div_ceil(2) };
     Topology::new(shape, ContractedLinks::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])

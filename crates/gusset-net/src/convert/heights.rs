@@ -38,13 +38,23 @@ where
     Coordinates<'static>: From<XyzMatrices<'static, T>>,
 {
     let Heights { shape, values, stride, spacing: [dx, dy], origin, no_data } = *heights;
-    [dx, dy].into_iter().try_for_each(|step| Error::require(step.is_finite() && step != 0.0, "spacing", step))?;
-    origin.to_array().into_iter().try_for_each(|value| Error::require(value.is_finite(), "origin", value))?;
+    [dx, dy]
+        .into_iter()
+        .try_for_each(|step| Error::require(step.is_finite() && step != 0.0, "spacing", step, "finite and not 0"))?;
+    origin
+        .to_array()
+        .into_iter()
+        .try_for_each(|value| Error::require(value.is_finite(), "origin", value, "finite in every coordinate"))?;
     // Neighbours must differ, and be finite, in the type of the heights.
     for (origin, step, count) in [(origin.x, dx, shape.columns()), (origin.y, dy, shape.rows())] {
         let at = |k: usize| T::from_f64(origin + k as f64 * step);
         let are_apart = at(0) != at(1) && at(count - 2) != at(count - 1);
-        Error::require(are_apart && at(count - 1).into().is_finite(), "spacing", step)?;
+        Error::require(
+            are_apart && at(count - 1).into().is_finite(),
+            "spacing",
+            step,
+            "large enough to separate neighbours in the type of the heights",
+        )?;
     }
     let no_data = no_data.map(|value| T::from_f64(value).into());
     let needed = XyzMatrices::<T>::matrix_length(shape, stride)?;

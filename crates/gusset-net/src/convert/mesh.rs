@@ -137,7 +137,7 @@ impl Net<'_> {
         let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
         Error::check_count("corners", corners, MAX_ELEMENTS)?;
         if let Some(ratio) = options.max_edge_ratio {
-            Error::require(ratio > 0.0, "max_edge_ratio", ratio)?;
+            Error::require(ratio > 0.0, "max_edge_ratio", ratio, "above 0")?;
         }
         each!(self.coordinates(), planes => build_mesh(self, planes, options, job))
     }

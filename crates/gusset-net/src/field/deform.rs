@@ -28,7 +28,7 @@ pub struct DeformationStep<'a> {
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`],
 /// [`Error::Cancelled`].
 pub fn deform(net: &mut Net<'_>, steps: &[DeformationStep<'_>], job: &Job<'_>) -> Result<()> {
-    steps.iter().try_for_each(|step| Error::require(step.strength.is_finite(), "strength", step.strength))?;
+    steps.iter().try_for_each(|step| Error::require(step.strength.is_finite(), "strength", step.strength, "finite"))?;
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
         if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_defined_everywhere()) {

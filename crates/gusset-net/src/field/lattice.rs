@@ -34,10 +34,12 @@ impl Lattice {
         let size = high - low;
         check_parameters_finite(&[("low", low.dot(DVec3::ONE)), ("high", high.dot(DVec3::ONE))])?;
         let mut sides = size.to_array().into_iter();
-        sides.try_for_each(|side| Error::require(side > 0.0 && side.is_finite(), "high", side))?;
-        counts
-            .iter()
-            .try_for_each(|count| Error::require((2..=MAX_POINTS).contains(count), "counts", *count as f64))?;
+        sides.try_for_each(|side| {
+            Error::require(side > 0.0 && side.is_finite(), "high", side, "finite and above `low` on each axis")
+        })?;
+        counts.iter().try_for_each(|count| {
+            Error::require((2..=MAX_POINTS).contains(count), "counts", *count as f64, 2.0..=MAX_POINTS as f64)
+        })?;
         let needed: usize = counts.iter().product();
         let Some(offsets) = offsets.get(..needed) else {
             let (needed, given) = ((needed * size_of::<DVec3>()) as u64, size_of_val(offsets) as u64);

@@ -13,7 +13,7 @@ use gusset_base::error::{Error, Result};
 /// # Errors
 /// [`Error::OptionOutOfRange`] if a number is not finite.
 pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
-    rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
+    rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value, "finite"))?;
     Ok(PartlyDefinedField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |[x, y, z]: [f64; 3]| {
             let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
@@ -31,7 +31,7 @@ pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
 pub fn parallel_projection(point: DVec3, normal: DVec3, direction: DVec3) -> Result<impl Field> {
     let along = normal.dot(direction);
     check_parameters_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
-    Error::require(along != 0.0, "direction", along)?;
+    Error::require(along != 0.0, "direction", along, "at an angle to the plane")?;
     // p - d (n . (p - q)) / (n . d)
     let slope = direction / along;
     let mut rows = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -52,7 +52,7 @@ pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result
     // The normal times the vector from the eye to the plane. A matrix would cancel terms as large
     // as the squared distance from the origin.
     let depth = normal.dot(point - eye);
-    Error::require(depth != 0.0, "eye", depth)?;
+    Error::require(depth != 0.0, "eye", depth, "outside the plane")?;
     check_parameters_finite(&[("plane", depth)])?;
     check_parameters_finite(&eye.to_array().map(|value| ("eye", value)))?;
     check_parameters_finite(&normal.to_array().map(|value| ("normal", value)))?;

@@ -6,7 +6,7 @@
 
 use super::space_map::{Field, PointsMut, check_parameters_finite, map_each_point, map_each_point_simd};
 use crate::transform::Axis;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 
 /// Returns a rotation about an axis by an angle that grows along the axis: `rate` radians for each
 /// unit, right-handed, starting at the coordinate `origin`. At strength t, the angle is t times as
@@ -50,7 +50,7 @@ pub fn taper(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
 pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field> {
     check_parameters_finite(&[("curvature", curvature), ("from", from)])?;
-    Error::require(to >= from, "to", to)?;
+    Error::require(to >= from, "to", to, Allowed::AtLeast(from))?;
     Ok(move |strength: f64, points: PointsMut<'_>| {
         let curvature = strength * curvature;
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
@@ -73,7 +73,7 @@ pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field
 /// [`Error::OptionOutOfRange`], also if both axes are equal.
 pub fn shear(along: Axis, by: Axis, rate: f64) -> Result<impl Field> {
     check_parameters_finite(&[("rate", rate)])?;
-    Error::require(along != by, "axis", by.index() as f64)?;
+    Error::require(along != by, "axis", by.index() as f64, "different from the displaced axis")?;
     Ok(move |strength: f64, [x, y, z]: PointsMut<'_>| {
         let rate = strength * rate;
         let (to, from) = match (along, by) {

@@ -85,7 +85,7 @@ pub(super) fn interpolate_to_image(strength: f64, map: impl Fn([f64; 3]) -> [f64
 
 /// Returns [`Error::OptionOutOfRange`] for the first parameter that is not finite.
 pub(super) fn check_parameters_finite(parameters: &[(&'static str, f64)]) -> Result<()> {
-    parameters.iter().try_for_each(|&(option, value)| Error::require(value.is_finite(), option, value))
+    parameters.iter().try_for_each(|&(option, value)| Error::require(value.is_finite(), option, value, "finite"))
 }
 
 /// At strength t, points move by t along the line to their image.

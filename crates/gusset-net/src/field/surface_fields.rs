@@ -56,7 +56,7 @@ fn snap_class_to_first<T: Real>(planes: &mut XyzMatrices<'_, T>, class: &[u32]) 
 /// first node whose coordinates would overflow (no node is moved), [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn displace_along_normals(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
-    Error::require(distance.is_finite(), "distance", distance)?;
+    Error::require(distance.is_finite(), "distance", distance, "finite")?;
     let (normals, _) = normals(net, job)?;
     let groups = NodeClasses::new(net.topology())?.glued_classes()?;
     job.check_memory()?;

@@ -35,8 +35,10 @@ impl<'a> TimedStrength<'a> {
     pub fn new(keys: &'a [[f64; 2]], easing: Easing) -> Result<Self> {
         keys.iter()
             .try_for_each(|&[time, strength]| check_parameters_finite(&[("time", time), ("strength", strength)]))?;
-        keys.windows(2).try_for_each(|pair| Error::require(pair[0][0] < pair[1][0], "time", pair[1][0]))?;
-        Error::require(!keys.is_empty(), "keys", 0.0)?;
+        keys.windows(2).try_for_each(|pair| {
+            Error::require(pair[0][0] < pair[1][0], "time", pair[1][0], "later than the previous time")
+        })?;
+        Error::require(!keys.is_empty(), "keys", 0.0, "at least 1")?;
         Ok(TimedStrength { keys, easing })
     }
 

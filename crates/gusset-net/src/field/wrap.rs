@@ -67,7 +67,7 @@ pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`], also for an angle beyond a right one.
 pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
-    Error::require(angle.abs() <= FRAC_PI_2, "angle", angle)?;
+    Error::require(angle.abs() <= FRAC_PI_2, "angle", angle, "from -pi / 2 to pi / 2")?;
     Ok(move |strength: f64, points: PointsMut<'_>| {
         let (sine, cosine) = libm::sincos(strength * angle);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
@@ -203,5 +203,5 @@ impl RigidMotionToAxis {
 
 /// Returns [`Error::OptionOutOfRange`] unless the length is finite and above 0.
 fn check_positive(option: &'static str, length: f64) -> Result<()> {
-    Error::require(length > 0.0 && length.is_finite(), option, length)
+    Error::require(length > 0.0 && length.is_finite(), option, length, "finite and above 0")
 }

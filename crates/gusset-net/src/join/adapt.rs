@@ -119,14 +119,19 @@ fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) ->
     let (count, along) = axis.line_count_and_length(shape);
     let place = twist as usize % (count - 1);
     let closed = |k: usize| net.topology().is_contracted(axis.link_to_next_line(shape, count - 1, k));
-    Error::require((0..along).all(closed), "twist", twist.into())?;
+    Error::require((0..along).all(closed), "twist", twist.into(), "0, because the side is not closed")?;
     each!(net.coordinates(), planes => check_axis_closed(planes, axis))?;
     let topology = net.topology().map_rows_or_columns(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
     let mut made = net.with_selected_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.
     for bridge in net.bridges() {
-        Error::require(bridge.direction == direction, "twist", twist.into())?;
+        Error::require(
+            bridge.direction == direction,
+            "twist",
+            twist.into(),
+            "0, because the net has bridges in the other direction",
+        )?;
         alloc::push(made.bridges_mut(), bridge.clone())?;
     }
     Ok(made)

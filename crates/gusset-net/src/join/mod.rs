@@ -63,7 +63,7 @@ pub(crate) fn join_nets_to_be_transformed(
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
     let Some(first) = nets.first() else { return Err(Error::EmptyScene) };
-    Error::require(options.tolerance >= 0.0, "tolerance", options.tolerance)?;
+    Error::require(options.tolerance >= 0.0, "tolerance", options.tolerance, "at least 0")?;
     let mut along = 0;
     for net in nets {
         if net.coordinates().scalar() != first.coordinates().scalar() {
@@ -75,7 +75,12 @@ pub(crate) fn join_nets_to_be_transformed(
         }
         along = along.max(b);
     }
-    Error::require(options.mode != BridgeMode::Weld || options.rows == 0, "rows", options.rows.into())?;
+    Error::require(
+        options.mode != BridgeMode::Weld || options.rows == 0,
+        "rows",
+        options.rows.into(),
+        "0 if the sides are welded",
+    )?;
     joined_shape(nets, options, along)?;
     let (mut copies, fitting) = (alloc::with_capacity(nets.len())?, job.sub_job(0.0, 0.3));
     let reversed = first.topology().is_reversed() != mirrored[0];
@@ -192,8 +197,13 @@ impl Net<'_> {
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
-        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
-        Error::require(mode != BridgeMode::Weld || bridge.rows == 0, "rows", bridge.rows.into())?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance, "at least 0")?;
+        Error::require(
+            mode != BridgeMode::Weld || bridge.rows == 0,
+            "rows",
+            bridge.rows.into(),
+            "0 if the sides are welded",
+        )?;
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
         if weld && !welded {
             for k in bridge.start as usize..bridge.end as usize {

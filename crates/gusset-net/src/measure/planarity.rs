@@ -31,7 +31,7 @@ pub struct Planarity {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planarity> {
-    Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+    Error::require(tolerance >= 0.0, "tolerance", tolerance, "at least 0")?;
     let (shape, hidden) = (net.shape(), HiddenCells::new(net)?);
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;

@@ -119,7 +119,12 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
 
 /// Returns the tolerance relative to the diagonal of the bounding box, after checks of the options.
 fn relative_tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f64> {
-    Error::require(options.tolerance >= 0.0 && options.tolerance.is_finite(), "tolerance", options.tolerance)?;
+    Error::require(
+        options.tolerance >= 0.0 && options.tolerance.is_finite(),
+        "tolerance",
+        options.tolerance,
+        "finite and at least 0",
+    )?;
     let (needed, given) = (net.shape().node_count() as u64, options.fixed.len() as u64);
     if given != 0 && given < needed {
         return Err(Error::ArrayTooShort { what: "fixed", needed, given });

@@ -14,7 +14,7 @@ mod unit_circle;
 pub use solid::Primitive;
 
 use super::{Net, Shape};
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
@@ -58,8 +58,13 @@ impl<'a> Request<'a> {
         }
         let (min_rows, min_columns) = self.primitive.min_rows_and_columns();
         let is_even_pillow = matches!(self.primitive, Primitive::Pillow { .. }) && columns % 2 == 0;
-        Error::require(rows >= min_rows, "rows", rows as f64)?;
-        Error::require(columns >= min_columns && !is_even_pillow, "columns", columns as f64)?;
+        Error::require(rows >= min_rows, "rows", rows as f64, Allowed::AtLeast(min_rows as f64))?;
+        Error::require(
+            columns >= min_columns && !is_even_pillow,
+            "columns",
+            columns as f64,
+            if is_even_pillow { "odd".into() } else { Allowed::AtLeast(min_columns as f64) },
+        )?;
         Shape::new(rows, columns)
     }
 

@@ -12,8 +12,8 @@ pub(super) type ProfilePoint = [f64; 2];
 /// axis.
 pub(super) fn check_profile(profile: &[ProfilePoint], max_distance: f64) -> Result<()> {
     profile.iter().try_for_each(|&[distance, z]| {
-        Error::require((0.0..=max_distance).contains(&distance), "profile", distance)?;
-        Error::require((-max_distance..=max_distance).contains(&z), "profile", z)
+        Error::require((0.0..=max_distance).contains(&distance), "profile", distance, 0.0..=max_distance)?;
+        Error::require((-max_distance..=max_distance).contains(&z), "profile", z, -max_distance..=max_distance)
     })
 }
 

@@ -149,10 +149,10 @@ impl Primitive<'_> {
                 (&[("radius", radius), ("height", height)], sides)
             }
             Primitive::Torus { radius, minor_radius } if minor_radius >= radius => {
-                return Error::require(false, "minor radius", minor_radius);
+                return Error::require(false, "minor_radius", minor_radius, "smaller than the radius");
             }
             Primitive::Torus { radius, minor_radius } | Primitive::Klein { radius, minor_radius } => {
-                (&[("radius", radius), ("minor radius", minor_radius)], 3)
+                (&[("radius", radius), ("minor_radius", minor_radius)], 3)
             }
             Primitive::Lathe { profile } => return profile::check_profile(profile, max),
             Primitive::Cuboid { size: [x, y, z], .. } => (&[("size", x), ("size", y), ("size", z)], 3),
@@ -161,7 +161,7 @@ impl Primitive<'_> {
         };
         dimensions
             .iter()
-            .try_for_each(|(option, value)| Error::require((min..=max).contains(value), option, *value))?;
-        Error::require(sides >= 3, "sides", sides.into())
+            .try_for_each(|(option, value)| Error::require((min..=max).contains(value), option, *value, min..=max))?;
+        Error::require(sides >= 3, "sides", sides.into(), "at least 3")
     }
 }

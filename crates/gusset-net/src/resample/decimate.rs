@@ -43,7 +43,7 @@ pub struct Decimated {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::GluedInside`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimated> {
-    Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+    Error::require(tolerance >= 0.0, "tolerance", tolerance, "at least 0")?;
     let (sides, limit) = (sides_or_glued_inside_error(net)?, tolerance / 2.0);
     let (h, w) = (net.shape().rows(), net.shape().columns());
     each!(net.coordinates(), planes => {

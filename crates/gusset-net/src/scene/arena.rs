@@ -187,7 +187,7 @@ impl Scene {
         local
             .to_cols_array()
             .into_iter()
-            .try_for_each(|value| Error::require(value.is_finite(), "transform", value))?;
+            .try_for_each(|value| Error::require(value.is_finite(), "transform", value, "finite"))?;
         entry.local = local;
         Ok(())
     }

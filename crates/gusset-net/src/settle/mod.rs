@@ -104,8 +104,8 @@ const MIN_RELATIVE_CELL_AREA: f64 = 1e-6;
 /// The net is then unchanged.
 pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> Result<Settled> {
     let (tolerance, ratio) = (options.tolerance, options.rest_ratio);
-    Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
-    Error::require(ratio >= 0.0 && ratio.is_finite(), "rest ratio", ratio)?;
+    Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance, "finite and at least 0")?;
+    Error::require(ratio >= 0.0 && ratio.is_finite(), "rest_ratio", ratio, "finite and at least 0")?;
     if let Some(reference) = options.reference.filter(|reference| reference.shape() != net.shape()) {
         let [a, b] = [net.shape(), reference.shape()].map(|shape| shape.node_count() as u32);
         return Err(Error::SidesDiffer { a, b });

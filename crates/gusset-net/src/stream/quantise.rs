@@ -10,7 +10,7 @@
 use super::levels::{CoordinateBits, LevelMap, UniformLevels};
 use crate::XyzMatrices;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 
 /// Levels for all tiles of a large net. Tiles that are coded apart, with equal boxes, stay equal in
 /// the nodes that they share.
@@ -42,7 +42,7 @@ pub(super) fn choose_levels_for_nodes<T: CoordinateBits>(
     let last = (1i64 << bits) - 1;
     let [low, high] = coordinate_bounds(planes);
     let largest = low.iter().chain(&high).fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    Error::require(largest <= f64::MAX / 4.0, "coordinates", largest)?;
+    Error::require(largest <= f64::MAX / 4.0, "coordinates", largest, Allowed::AtMost(f64::MAX / 4.0))?;
     let extents: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
     let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
     let step = |axis: usize| step_of_extent(if per_axis { extents[axis] } else { whole }, last);
@@ -80,8 +80,8 @@ pub(super) fn divide_box_into_levels<T: CoordinateBits>(
 ) -> Result<(UniformLevels, u32)> {
     for axis in 0..3 {
         let [low, high] = [given.low[axis], given.high[axis]];
-        Error::require(low.abs() <= f64::MAX / 4.0, "low", low)?;
-        Error::require(high.abs() <= f64::MAX / 4.0 && low <= high, "high", high)?;
+        Error::require(low.abs() <= f64::MAX / 4.0, "low", low, -f64::MAX / 4.0..=f64::MAX / 4.0)?;
+        Error::require(high.abs() <= f64::MAX / 4.0 && low <= high, "high", high, low..=f64::MAX / 4.0)?;
     }
     let extents: [f64; 3] = std::array::from_fn(|axis| given.high[axis] - given.low[axis]);
     let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
@@ -89,7 +89,14 @@ pub(super) fn divide_box_into_levels<T: CoordinateBits>(
         Some(step) => {
             let reaches = |bits: &u32| step * ((1i64 << bits) - 1) as f64 >= whole;
             let bits = Some(step).filter(|step| step.is_normal() && *step > 0.0).and_then(|_| (8..=24).find(reaches));
-            (bits.ok_or(Error::OptionOutOfRange { option: "step", value: step })?, [step; 3])
+            (
+                bits.ok_or(Error::OptionOutOfRange {
+                    option: "step",
+                    value: step,
+                    allowed: "above 0, and large enough for 24 bits".into(),
+                })?,
+                [step; 3],
+            )
         }
         None => {
             let last = (1i64 << bits) - 1;

@@ -56,7 +56,7 @@ impl StreamOptions {
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<Vec<u8>> {
     if let StreamMode::Quantised { bits } = options.mode {
-        Error::require((8..=24).contains(&bits), "bits", bits.into())?;
+        Error::require((8..=24).contains(&bits), "bits", bits.into(), 8.0..=24.0)?;
     }
     each!(net.coordinates(), planes => encode_coordinates(net, planes, options, job))
 }

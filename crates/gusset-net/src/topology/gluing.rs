@@ -77,7 +77,7 @@ impl Gluing {
         mut seam: impl FnMut(Seam) -> Result<()>,
     ) -> Result<()> {
         let mut masked = |links: [u32; 4], mask: u8| {
-            Error::require(mask <= 15, "mask", mask.into())?;
+            Error::require(mask <= 15, "mask", mask.into(), 0.0..=15.0)?;
             (0..4).filter(|k| mask >> k & 1 != 0).try_for_each(|k| link(links[k]))
         };
         match self {

@@ -55,7 +55,7 @@ impl LinkMatrix {
         let mut matrix = LinkMatrix::empty(shape)?;
         for (at, &byte) in bytes.iter().enumerate() {
             let (row, j) = (at / w, at % w);
-            Error::require(byte <= 1, "characteristic matrix", byte.into())?;
+            Error::require(byte <= 1, "matrix", byte.into(), "0 or 1")?;
             if byte == 1 {
                 matrix.set_contracted(2 * shape.node(row / 2, j) + (row % 2) as u32, true);
             }

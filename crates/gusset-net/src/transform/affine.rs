@@ -75,7 +75,7 @@ impl Affine {
     pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: RotationSense) -> Result<Self> {
         // Scaled first, so that the length does not overflow or underflow.
         let unit = (axis / axis.abs().max_element()).normalize();
-        Error::require(unit.is_finite(), "axis", axis.length())?;
+        Error::require(unit.is_finite(), "axis", axis.length(), "a finite vector other than 0")?;
         let (sine, cosine) = libm::sincos(if sense == RotationSense::AsPrinted { -angle } else { angle });
         let outer = DMat3::from_cols(unit * unit.x, unit * unit.y, unit * unit.z);
         let cross = DMat3::from_cols(
@@ -117,7 +117,10 @@ impl Affine {
 
     fn from_linear_and_displacement(linear: DMat3, displacement: DVec3) -> Result<Self> {
         let map = Affine(DAffine3::from_mat3_translation(linear, displacement));
-        map.rows().as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
+        map.rows()
+            .as_flattened()
+            .iter()
+            .try_for_each(|&value| Error::require(value.is_finite(), "values", value, "finite"))?;
         Ok(map)
     }
 

@@ -45,7 +45,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         return Err(Error::EmptyMesh { what: "pieces" });
     }
     if let Some(distance) = options.max_distance {
-        Error::require(distance > 0.0 && distance < f64::INFINITY, "max_distance", distance)?;
+        Error::require(distance > 0.0 && distance < f64::INFINITY, "max_distance", distance, "finite and above 0")?;
     }
     if let Start::Poses(poses) = options.start {
         check_poses(poses, pieces.len())?;
@@ -109,8 +109,10 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         Aligned { pose: Pose { translation: unit * (pose.translation + origin - back), ..*pose }, reason, hold }
     });
     let pieces: Vec<Aligned> = alloc::collect(pieces)?;
-    if pieces.iter().any(|piece| piece.reason != Reason::Trusted) {
-        job.note("not every piece is trusted to be aligned: the report of the alignment gives the reasons");
+    let untrusted = pieces.iter().filter(|piece| piece.reason != Reason::Trusted).count();
+    if untrusted > 0 {
+        let count = pieces.len();
+        job.note(&format!("untrusted poses: {untrusted} of {count}; the report of the alignment gives the reasons"));
     }
     Ok(Alignment { pieces, overlaps, rounds, converged })
 }

@@ -42,7 +42,7 @@ pub struct SplitFaces {
 /// # Errors
 /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn split_intersecting_faces(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<SplitFaces> {
-    Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into())?;
+    Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into(), "at least 1")?;
     let scalar = mesh.positions().scalar();
     let solid = Solid::from_mesh(mesh, &job.sub_job(0.0, 0.05))?;
     let found = solid.find_pairs(&job.sub_job(0.05, 0.3))?;

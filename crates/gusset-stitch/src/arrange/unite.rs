@@ -84,7 +84,7 @@ pub(crate) fn unite_with_suspects(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Union> {
-    Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into())?;
+    Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into(), "at least 1")?;
     let scalar = mesh.positions().scalar();
     let mut solid = Solid::from_mesh(mesh, &job.sub_job(0.0, 0.05))?;
     suspects.map_or(Ok(()), |faces| solid.suspect_faces(faces))?;

@@ -54,7 +54,7 @@ const ADDITIONAL_JOINING_PASSES: usize = 2;
 ///   joined are not an error; see [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(gap) = options.max_gap {
-        Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
+        Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap, "finite and at least 0")?;
     }
     let Overlaps::Trim(how) = options.overlaps else {
         let mut base = CombinedPieces::new(pieces, None, options, &job.sub_job(0.0, 0.3))?;
@@ -113,8 +113,11 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         }
     };
     assembly.lost_faces = list_lost_faces(pieces, &assembly, same, &job.sub_job(1.0, 1.0))?;
-    if !assembly.lost_faces.is_empty() {
-        job.note("trimming dropped faces that no kept face covers: the report of the assembly lists them");
+    let lost = assembly.lost_faces.len();
+    if lost > 0 {
+        job.note(&format!(
+            "faces dropped by trimming that no kept face covers: {lost}; the report of the assembly lists them"
+        ));
     }
     Ok(assembly)
 }

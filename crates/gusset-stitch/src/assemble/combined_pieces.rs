@@ -182,13 +182,17 @@ impl CombinedPieces {
         let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
         assembly.near_loops_left = assembly.left.iter().filter(|left| !left.filled).filter(is_near).count() as u32;
         if assembly.near_loops_left > 0 {
-            job.note("loops are left although others are near: the report of the assembly gives the reasons");
+            let count = assembly.near_loops_left;
+            job.note(&format!(
+                "loops left although others are near: {count}; the report of the assembly gives the reasons"
+            ));
         }
         if options.outward == Outward::Closed && !options.keep_orientation {
             let outwards = turn_outwards(&mut assembly.mesh, &job.sub_job(0.4, 0.6))?;
             assembly.zero_volume = outwards.zero_volume;
             if !assembly.zero_volume.is_empty() {
-                job.note("a closed component encloses no volume, as one piece given twice does");
+                let count = assembly.zero_volume.len();
+                job.note(&format!("closed components without volume: {count}; give each piece only once"));
             }
             for f in outwards.turned {
                 // The faces of strips and patches follow the faces of the pieces.

@@ -90,7 +90,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
             let mut path = alloc::copied(&cuts.vertices[ends[0] as usize..ends[1] as usize])?;
             for (place, vertex) in (0..).zip(&mut path) {
                 if *vertex as usize >= count {
-                    return Err(Error::LoopIndexOutOfRange { number, place, vertex: *vertex });
+                    return Err(Error::LoopIndexOutOfRange { number, place, vertex: *vertex, count: count as u32 });
                 }
                 *vertex = self.mesh.faces().merged_vertex(*vertex);
             }

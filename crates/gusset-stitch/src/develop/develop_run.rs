@@ -79,7 +79,7 @@ impl FlatChart {
 ///   [`Error::Cancelled`].
 pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Result<Developed> {
     if let Some(stretch) = options.max_stretch {
-        Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch)?;
+        Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch, "finite and above 1")?;
     }
     job.step(0.0, STAGE)?;
     let corners = 0..mesh.faces().half_edge_count() as u32;

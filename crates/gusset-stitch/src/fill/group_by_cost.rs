@@ -205,7 +205,7 @@ impl GroupSearch<'_> {
             };
             self.trials = left.checked_sub(1);
             if self.trials.is_none() {
-                job.note("there are too many loops near each other: some were not tried together");
+                job.note("too many loops are near each other, so some were not tried together: pass groups");
                 break;
             }
             if let Some(pair) = self.triangulate_groups_together(groups, &job.sub_job_of_item(at, near.len()))? {

@@ -18,7 +18,7 @@ use gusset_mesh::MeshView;
 use std::collections::HashSet;
 
 /// The note on a hole with fewer attempts.
-const LIMIT_NOTE: &str = "a hole takes many new vertices: not all ways to fair its patch have been tried";
+const LIMIT_NOTE: &str = "a hole takes too many new vertices to try all ways of fairing its patch: refine it less";
 
 /// The patches and their inputs.
 pub(super) struct HoleFilling<'a> {

@@ -64,8 +64,9 @@ pub fn fill_holes(
     job: &Job<'_>,
 ) -> Result<Filled> {
     let survey = HoleSurvey::new(mesh, selection, &job.sub_job(0.0, 0.25))?;
-    if survey.coincident_edges() > 0 {
-        job.note("boundary edges coincide with others: sew them first, as a join does");
+    let coincident = survey.coincident_edges();
+    if coincident > 0 {
+        job.note(&format!("boundary edges that coincide with others: {coincident}; sew them first, as a join does"));
     }
     survey.fill(options, &job.sub_job(0.25, 1.0))
 }
@@ -111,11 +112,11 @@ impl<'m, 'a> HoleSurvey<'m, 'a> {
         let named = [("max_length", limits.length), ("max_diameter", limits.diameter), ("max_area", limits.area)];
         for (option, limit) in named {
             let limit = limit.unwrap_or(0.0);
-            Error::require(limit >= 0.0, option, limit)?;
+            Error::require(limit >= 0.0, option, limit, "at least 0")?;
         }
         let options = &options.with_finish();
         if options.fairing == Fairing::ThinPlate && options.refinement == Refinement::None {
-            job.note("fairing moves the new vertices inside holes, and none were asked for: it does nothing");
+            job.note("fairing does nothing without new vertices inside holes: request a refinement");
         }
         let candidates = choose_loops(mesh, &boundary, selection, &unsewn.is_unsewn, options)?;
         let built = |made, job: &Job<'_>| {

@@ -152,7 +152,8 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
         mesh.turn_face(f as usize);
     }
     if !found.turned.is_empty() {
-        job.note("closed components that faced the wrong side have been turned over");
+        let count = found.turned.len();
+        job.note(&format!("faces turned over, because their closed components faced the wrong side: {count}"));
     }
     Ok(found)
 }

@@ -76,7 +76,7 @@ impl ToleranceSource {
     /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite.
     pub(super) fn from_option(tolerance: Option<f64>) -> Result<Self> {
         let given = tolerance.unwrap_or(0.0);
-        Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
+        Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given, "finite and at least 0")?;
         Ok(tolerance.map_or(ToleranceSource::Data, ToleranceSource::Given))
     }
 }

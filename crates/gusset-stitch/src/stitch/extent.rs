@@ -2,7 +2,7 @@
 
 use super::facing::{self, Arc, Planes, find_facing_scaled, relative_round_off, squareness};
 use super::stitch_rim::Rim;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
@@ -58,8 +58,8 @@ pub(super) fn select_arcs(
         Extent::Arcs(arcs) => {
             for (arc, rim, option) in [(arcs[0], a, "arc_a"), (arcs[1], b, "arc_b")] {
                 let n = rim.vertices.len();
-                Error::require(arc.first < n, option, arc.first as f64)?;
-                Error::require((1..=n).contains(&arc.count), option, arc.count as f64)?;
+                Error::require(arc.first < n, option, arc.first as f64, Allowed::IndexBelow(n as u64))?;
+                Error::require((1..=n).contains(&arc.count), option, arc.count as f64, 1.0..=n as f64)?;
             }
             Ok(Some(arcs))
         }

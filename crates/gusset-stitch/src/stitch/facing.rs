@@ -193,7 +193,7 @@ pub(super) fn relative_round_off(scalar: Scalar) -> f64 {
 /// [`Error::OptionOutOfRange`].
 pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
     let value = tolerance.unwrap_or(0.0);
-    Error::require((0.0..f64::INFINITY).contains(&value), "tolerance", value)
+    Error::require((0.0..f64::INFINITY).contains(&value), "tolerance", value, "finite and at least 0")
 }
 
 /// Runs algorithm 2 on points whose coordinates are at most 2.

@@ -141,7 +141,9 @@ fn check_blend(
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
     let mut best: Option<(CheckedStrip, StripBlend)> = None;
     let Some(plan) = strip_blend::plan_strip_blend(whole, strip, unit, &job.sub_job(0.0, 0.2))? else {
-        job.note("a blend would need too many vertices: the strip stays in its place");
+        job.note(
+            "a blend would need too many vertices, so the strip stays in its place: decimate the pieces, or set rows",
+        );
         return Ok(plain);
     };
     let job = job.sub_job(0.2, 1.0);
@@ -168,7 +170,7 @@ fn check_blend(
     }
     match best.filter(|(checked, _)| cuts(checked) <= cuts(&plain)) {
         None => {
-            job.note("the blend would cut more faces than the strip does, which stays in its place");
+            job.note("the blend would cut more faces than the strip, so the strip stays in its place");
             Ok(plain)
         }
         Some((checked, found)) => {

@@ -48,7 +48,7 @@ use gusset_mesh::{MeshView, concat, vertex_components};
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
     // Arcs do not admit a twist, even if the planes select whole loops.
     if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
-        Error::require(options.twist == 0, "twist", options.twist as f64)?;
+        Error::require(options.twist == 0, "twist", options.twist as f64, "0 between arcs")?;
     }
     let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.sub_job(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.sub_job(0.35, 0.4))?;
@@ -65,8 +65,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let turn = must_turn(request, &a, &b, options.orientation)?;
     if turn {
         job.note(match request.b {
-            Some(_) => "the pieces disagree in orientation: the second has been turned over",
-            None => "the loops' components disagree in orientation: that of the second loop has been turned over",
+            Some(_) => "the pieces disagree in orientation: the second one was turned over",
+            None => "the loops' components disagree in orientation: the second loop's component was turned over",
         });
     }
     options.note_unread_options(job);
@@ -100,7 +100,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let mean_side = || whole.mean_side_length() / unit;
     let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.sub_job(0.4, 0.6))?;
     if strip.meridians.iter().any(|&[i, j]| strip.a.point(i) == strip.b.point(j)) {
-        job.note("the rims have points in common, where faces of the strip have no area: joining merges such points");
+        job.note("the rims have points in common, where faces of the strip have no area: join the pieces to merge these points");
     }
     let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.sub_job(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;

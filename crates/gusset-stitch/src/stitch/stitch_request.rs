@@ -174,10 +174,10 @@ impl Options {
         let no_rows = matches!(self.rows, Rows::None | Rows::Count(0));
         if self.finish == Finish::Blend {
             if !no_rows || self.cells == Cells::Quads || self.fairing == Fairing::ThinPlate {
-                job.note("a blend has no rows or quads and is always fair: rows, cells and fairing are not read");
+                job.note("a blend ignores rows, cells and fairing: it has no rows or quads, and is always fair");
             }
         } else if self.fairing == Fairing::ThinPlate && no_rows {
-            job.note("fairing moves the vertices of interior rows, and none were asked for: it does nothing");
+            job.note("fairing does nothing without interior rows: request rows");
         }
     }
 

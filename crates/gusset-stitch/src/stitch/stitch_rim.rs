@@ -236,8 +236,9 @@ pub(crate) fn have_coincident_vertices(a: &Rim, b: &Rim, tolerance: f64, job: &J
 /// Checks that a mesh has all vertices of the caller's loop `number`. Fails with
 /// [`Error::LoopIndexOutOfRange`].
 pub(crate) fn check_loop_indices(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
-    match (0..).zip(vertices).find(|&(_, &vertex)| vertex as usize >= mesh.positions().len()) {
-        Some((place, &vertex)) => Err(Error::LoopIndexOutOfRange { number, place, vertex }),
+    let count = mesh.positions().len() as u32;
+    match (0..).zip(vertices).find(|&(_, &vertex)| vertex >= count) {
+        Some((place, &vertex)) => Err(Error::LoopIndexOutOfRange { number, place, vertex, count }),
         None => Ok(()),
     }
 }

@@ -69,7 +69,11 @@ impl Strip {
         let meridians = if a.closed {
             choose_best_first_meridian(&mut a, &mut b, existing, options, job)?
         } else if options.twist != 0 {
-            return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
+            return Err(Error::OptionOutOfRange {
+                option: "twist",
+                value: options.twist as f64,
+                allowed: "0 between arcs".into(),
+            });
         } else {
             meridians_from_given_start(&a, &b, existing, options, job)?
                 .ok_or(Error::NoStrip { vertex: a.vertices[0] })?
@@ -103,7 +107,7 @@ impl Strip {
                 let wanted = (mean_meridian / mean_side()).round() - 1.0;
                 let most = (MAX_AUTOMATIC_ROW_VERTICES / meridians.len()).max(MIN_AUTOMATIC_ROWS) as f64;
                 if wanted > most {
-                    job.note("rows as wide as the faces would need too many vertices: the rows are wider");
+                    job.note("rows as wide as the faces would need too many vertices, so the rows are wider: set their number");
                 }
                 wanted.clamp(0.0, most) as u32
             }

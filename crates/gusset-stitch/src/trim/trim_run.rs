@@ -45,10 +45,15 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         return Err(Error::EmptyMesh { what: "pieces" });
     }
     if let Some(distance) = options.max_distance {
-        Error::require((0.0..f64::INFINITY).contains(&distance), "max_distance", distance)?;
+        Error::require((0.0..f64::INFINITY).contains(&distance), "max_distance", distance, "finite and at least 0")?;
     }
     let angle = options.max_angle;
-    Error::require((0.0..std::f64::consts::FRAC_PI_2).contains(&angle), "max_angle", angle)?;
+    Error::require(
+        (0.0..std::f64::consts::FRAC_PI_2).contains(&angle),
+        "max_angle",
+        angle,
+        "at least 0 and below pi / 2",
+    )?;
     if !options.viewpoints.is_empty() && options.viewpoints.len() < pieces.len() {
         return Err(Error::InputsDiffer { given: options.viewpoints.len() as u64, needed: pieces.len() as u64 });
     }

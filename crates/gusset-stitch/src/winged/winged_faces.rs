@@ -7,7 +7,7 @@
 
 use super::winged_edges::{Winding, WingedEdge};
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::{MAX_ELEMENTS, NONE};
 
@@ -171,7 +171,11 @@ fn first_sides(
         return Ok(starts);
     };
     if given.len() != face_count {
-        return Err(Error::OptionOutOfRange { option: "the number of first edges", value: given.len() as f64 });
+        return Err(Error::OptionOutOfRange {
+            option: "first_edges",
+            value: given.len() as f64,
+            allowed: Allowed::from(face_count as f64..=face_count as f64),
+        });
     }
     let mut starts = alloc::with_capacity(face_count)?;
     for (face, &edge) in given.iter().enumerate() {

@@ -93,7 +93,7 @@ impl CurveNet<'_> {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }
         let tolerance = self.tolerance.unwrap_or(0.0);
-        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance, "finite and at least 0")
     }
 
     /// The diagonal of the bounding box of all curves, and their largest absolute coordinate.

@@ -3,7 +3,7 @@
 use crate::MAX_DEGREE;
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::bernstein::{elevate, evaluate, restrict};
 use gusset_curve::CurveView;
 
@@ -49,7 +49,7 @@ pub(super) fn max_segment_degree<'a>(mut curves: impl Iterator<Item = CurveView<
             return Err(Error::EmptyCurve);
         }
         let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
-        Error::require(degree <= MAX_DEGREE, "degree", degree as f64)?;
+        Error::require(degree <= MAX_DEGREE, "degree", degree as f64, Allowed::AtMost(MAX_DEGREE as f64))?;
         Ok(degree.max(highest))
     })
 }

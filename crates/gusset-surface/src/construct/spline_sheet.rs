@@ -30,7 +30,12 @@ impl Sheet<'static> {
     pub fn from_spline(spline: &Spline<'_>, options: &SplineOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
-            Error::require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
+            Error::require(
+                (1..=MAX_DEGREE).contains(&axis.degree),
+                "degree",
+                axis.degree as f64,
+                1.0..=MAX_DEGREE as f64,
+            )?;
             if count <= axis.degree || (axis.closed && count < 3) {
                 return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
             }

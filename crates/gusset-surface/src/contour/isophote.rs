@@ -246,7 +246,14 @@ impl Surface<'_> {
         let axis = unit_vector(axis, "direction")?;
         check_ascending(angles, "levels")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "levels", angle))?;
+        angles.iter().try_for_each(|&angle| {
+            Error::require(
+                (0.0..=max + 1e-15).contains(&angle),
+                "levels",
+                angle,
+                if unsigned { "from 0 to pi / 2" } else { "from 0 to pi" },
+            )
+        })?;
         let mut search = IsophoteSearch {
             surface: self,
             frame: frame_with_third_axis(axis),

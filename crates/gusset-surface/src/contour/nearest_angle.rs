@@ -368,7 +368,12 @@ impl Surface<'_> {
     ) -> Result<Option<NearestAngle>> {
         let axis = unit_vector(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
+        Error::require(
+            (0.0..=max + 1e-15).contains(&angle),
+            "angle",
+            angle,
+            if unsigned { "from 0 to pi / 2" } else { "from 0 to pi" },
+        )?;
         let (goal, frame) = (TargetAngle { angle, unsigned }, frame_with_third_axis(axis));
         let mut best = BestAngle { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();

@@ -6,7 +6,7 @@
 
 use crate::{Paths, Surface};
 use glam::DVec3;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 
 /// The points inserted between the places where a curve crosses the lines of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -37,9 +37,15 @@ impl Surface<'_> {
             PointSpacing::Auto => Ok(Some(1e-4 * self.box_diagonal())),
             PointSpacing::CellEdges => Ok(None),
             PointSpacing::Leus(count) if count <= MAX_POINTS_BETWEEN_CROSSINGS => Ok(None),
-            PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
+            PointSpacing::Leus(count) => Err(Error::OptionOutOfRange {
+                option: "points",
+                value: count.into(),
+                allowed: Allowed::AtMost(MAX_POINTS_BETWEEN_CROSSINGS.into()),
+            }),
             PointSpacing::Chord(chord) if chord > 0.0 && chord.is_finite() => Ok(Some(chord.max(self.tolerance()))),
-            PointSpacing::Chord(value) => Err(Error::OptionOutOfRange { option: "chord", value }),
+            PointSpacing::Chord(value) => {
+                Err(Error::OptionOutOfRange { option: "chord", value, allowed: "finite and above 0".into() })
+            }
         }
     }
 }

@@ -96,7 +96,7 @@ fn place_of_position(at: &PiecePosition) -> Place {
 fn check_coordinate_size(point: DVec3, option: &'static str) -> Result<()> {
     check_finite(point, option)?;
     let largest = point.abs().max_element();
-    Error::require(largest <= MAX_LINE_COORDINATE, option, largest)
+    Error::require(largest <= MAX_LINE_COORDINATE, option, largest, "at most 1e150 in every coordinate")
 }
 
 impl Surface<'_> {
@@ -250,7 +250,7 @@ impl Surface<'_> {
     ) -> Result<DistanceOutcome> {
         job.step(0.0, PROGRESS_STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
-        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance, "finite and at least 0")?;
         let all_points = || self.bounding_box_corners().into_iter().chain(extent.iter().copied());
         let reach = all_points().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
         let largest = all_points().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);

@@ -10,7 +10,7 @@ use super::line::{Hit, HitSelection, Line, MAX_LINE_COORDINATE};
 use super::line_search::LineWorkspace;
 use crate::{Surface, each_sheet};
 use glam::DVec3;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::bernstein::elevate;
 use gusset_base::job::Job;
 use gusset_base::sort;
@@ -45,9 +45,18 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         let mut degrees = curve.segments().map(|segment| segment.len() - 1);
-        degrees.try_for_each(|degree| Error::require(degree <= MAX_SEGMENT_DEGREE, "degree", degree as f64))?;
+        degrees.try_for_each(|degree| {
+            Error::require(
+                degree <= MAX_SEGMENT_DEGREE,
+                "degree",
+                degree as f64,
+                Allowed::AtMost(MAX_SEGMENT_DEGREE as f64),
+            )
+        })?;
         let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
-        numbers.try_for_each(|x| Error::require(x.abs() <= MAX_LINE_COORDINATE, "curve", x))?;
+        numbers.try_for_each(|x| {
+            Error::require(x.abs() <= MAX_LINE_COORDINATE, "curve", x, "at most 1e150 in every coordinate")
+        })?;
         let finds = self.find_on_all_segments(curve, selection, job)?;
         let mut hits = self.merge_and_classify_finds(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {

@@ -40,17 +40,16 @@ impl Line {
 
     /// Checks that the line is finite and has a direction.
     pub(crate) fn check_finite_with_direction(&self) -> Result<()> {
-        self.origin
-            .to_array()
-            .into_iter()
-            .try_for_each(|x| Error::require(x.abs() <= MAX_LINE_COORDINATE, "origin", x))?;
+        self.origin.to_array().into_iter().try_for_each(|x| {
+            Error::require(x.abs() <= MAX_LINE_COORDINATE, "origin", x, "at most 1e150 in every coordinate")
+        })?;
         check_finite(self.direction, "direction")?;
         // Parameters of points are divided by the length, and would be infinite.
         let square = self.direction.length_squared();
         let is_usable = square >= f64::MIN_POSITIVE && square.is_finite();
-        Error::require(is_usable, "direction", self.direction.abs().max_element())?;
+        Error::require(is_usable, "direction", self.direction.abs().max_element(), "of a length from 1e-150 to 1e150")?;
         let is_somewhere = self.from < f64::INFINITY && self.to > f64::NEG_INFINITY;
-        Error::require(self.from <= self.to && is_somewhere, "from", self.from)
+        Error::require(self.from <= self.to && is_somewhere, "from", self.from, "at most `to`, and below infinity")
     }
 
     /// The unit vector along the line, and the length of the direction, at any scale.

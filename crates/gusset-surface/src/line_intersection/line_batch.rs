@@ -83,7 +83,7 @@ fn process_in_batches<R: Send>(
     job.step(0.0, "lines")?;
     for (k, line) in lines.iter().enumerate() {
         line.check_finite_with_direction().map_err(|error| match error {
-            Error::OptionOutOfRange { option, value } => {
+            Error::OptionOutOfRange { option, value, .. } => {
                 let why = match option {
                     "origin" => "needs an origin with coordinates up to 1e150",
                     "direction" => "needs a direction with a length from 1e-150 to 1e150",

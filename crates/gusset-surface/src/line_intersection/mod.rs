@@ -131,7 +131,7 @@ impl Line {
     /// of [`CurveView::near_misses`](gusset_curve::CurveView::near_misses).
     pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check_finite_with_direction()?;
-        Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
+        Error::require(within >= 0.0 && within.is_finite(), "within", within, "finite and at least 0")?;
         // The part of the line beside the curve, and a little more.
         let (along, length) = self.direction_and_length();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));

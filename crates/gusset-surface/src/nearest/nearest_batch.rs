@@ -44,7 +44,7 @@ impl Surface<'_> {
         form: impl Fn(Option<Closest>) -> T + Sync,
         job: &Job<'_>,
     ) -> Result<()> {
-        Error::require(limit >= 0.0, "limit", limit)?;
+        Error::require(limit >= 0.0, "limit", limit, "at least 0")?;
         queries.iter().zip(0..).try_for_each(|(&query, index)| check_query_point(query, index))?;
         let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(QUERIES_PER_SORT))?;
         let mut answered = 0;

@@ -17,5 +17,5 @@ pub(super) fn check_query_point(query: DVec3, index: u64) -> Result<()> {
 /// Checks a single query. Returns [`Error::OptionOutOfRange`] if the distance is negative or NaN.
 pub(super) fn check_query_and_distance(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
     check_query_point(query, 0)?;
-    Error::require(distance >= 0.0, option, distance)
+    Error::require(distance >= 0.0, option, distance, "at least 0")
 }

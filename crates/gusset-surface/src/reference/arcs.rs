@@ -49,7 +49,7 @@ impl CurveArcs {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        Error::require(parts > 0, "parts", parts as f64)?;
+        Error::require(parts > 0, "parts", parts as f64, "at least 1")?;
         let count = (curve.len() as u64).saturating_mul(parts as u64);
         Error::check_count("arcs", count, MAX_ARCS)?;
         let count = count as usize;

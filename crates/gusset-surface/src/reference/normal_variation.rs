@@ -58,7 +58,7 @@ pub fn normal_variation_by_curvature(
     curvature: f64,
     job: &Job<'_>,
 ) -> Result<CellSizeBounds> {
-    Error::require(curvature >= 0.0, "curvature", curvature)?;
+    Error::require(curvature >= 0.0, "curvature", curvature, "at least 0")?;
     let lattice = CellGridShape::new(sheet);
     let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
@@ -98,10 +98,17 @@ impl AngleTarget {
     /// [`Error::OptionOutOfRange`] if the direction is zero or not finite, or the angle is out of
     /// range.
     pub fn normalized(self) -> Result<Self> {
-        Error::require((0.0..=PI).contains(&self.angle), "angle", self.angle)?;
+        Error::require((0.0..=PI).contains(&self.angle), "angle", self.angle, "from 0 to pi")?;
         let direction = Some(self.direction).filter(|direction| direction.is_finite()).and_then(DVec3::try_normalize);
         let value = self.direction.length();
-        Ok(AngleTarget { direction: direction.ok_or(Error::OptionOutOfRange { option: "direction", value })?, ..self })
+        Ok(AngleTarget {
+            direction: direction.ok_or(Error::OptionOutOfRange {
+                option: "direction",
+                value,
+                allowed: "a finite vector other than 0".into(),
+            })?,
+            ..self
+        })
     }
 
     /// The deviation of a unit normal from the angle; 0 if the normal does not exist, because it

@@ -42,9 +42,14 @@ impl PointPlaneOrLine {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the object is not finite, or lacks a direction.
     pub fn as_orthonormal_box(&self) -> Result<OrthonormalBox> {
-        let bad = |option, value| Error::OptionOutOfRange { option, value };
-        let finite = |x: DVec3, option| if x.is_finite() { Ok(x) } else { Err(bad(option, f64::NAN)) };
-        let unit = |x: DVec3, option| finite(x, option)?.try_normalize().ok_or(bad(option, x.length()));
+        let bad =
+            |option, value, allowed: &'static str| Error::OptionOutOfRange { option, value, allowed: allowed.into() };
+        let finite = |x: DVec3, option| {
+            if x.is_finite() { Ok(x) } else { Err(bad(option, f64::NAN, "finite in every coordinate")) }
+        };
+        let unit = |x: DVec3, option| {
+            finite(x, option)?.try_normalize().ok_or(bad(option, x.length(), "a vector other than 0"))
+        };
         let (origin, axes, along, count) = match *self {
             PointPlaneOrLine::Point(point) => (finite(point, "point")?, [DVec3::X, DVec3::Y, DVec3::Z], [0.0; 2], 3),
             PointPlaneOrLine::Plane { point, normal } => {
@@ -55,7 +60,7 @@ impl PointPlaneOrLine {
             PointPlaneOrLine::Line(Line { origin, direction, from, to }) => {
                 let unit = unit(direction, "direction")?;
                 if from.is_nan() || to.is_nan() || from > to {
-                    return Err(bad("from", from));
+                    return Err(bad("from", from, "at most `to`"));
                 }
                 let (u, v) = unit.any_orthonormal_pair();
                 (finite(origin, "origin")?, [u, v, unit], [from, to].map(|t| t * direction.length()), 3)

@@ -83,7 +83,7 @@ pub(super) fn search_with_node_cost(
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
     if let SearchGoal::Within(within) = options.goal {
-        Error::require(within >= 0.0, "within", within)?;
+        Error::require(within >= 0.0, "within", within, "at least 0")?;
     }
     let lattice = sizes.lattice();
     let mut window =

@@ -33,7 +33,9 @@ const MAX_EDGE_HALVINGS: u32 = 60;
 /// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] if a parameter is outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
     CellGridShape::new(sheet).check_cell(cell)?;
-    [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
+    [("u", u), ("v", v)]
+        .into_iter()
+        .try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t, "from 0 to 1"))?;
     let [i, j] = cell;
     let point = sheet.jet(i, j, u, v).point;
     let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];

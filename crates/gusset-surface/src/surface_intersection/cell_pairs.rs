@@ -302,7 +302,7 @@ impl Surface<'_> {
         (within, wanted): (f64, &dyn Fn(&CellPair) -> bool),
         job: &Job<'_>,
     ) -> Result<Vec<CellPair>> {
-        Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
+        Error::require(within >= 0.0 && within.is_finite(), "within", within, "finite and at least 0")?;
         let mut cell_pairs = Vec::new();
         for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {

@@ -95,7 +95,9 @@ pub struct Options {
 /// The value, which must be positive, or the default.
 fn positive_or_default(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
     match value {
-        Some(value) if value.is_nan() || value <= 0.0 => Err(Error::OptionOutOfRange { option, value }),
+        Some(value) if value.is_nan() || value <= 0.0 => {
+            Err(Error::OptionOutOfRange { option, value, allowed: "above 0".into() })
+        }
         _ => Ok(value.unwrap_or(default)),
     }
 }
@@ -135,7 +137,7 @@ impl Surface<'_> {
     pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
         let chord = positive_or_default("chord", options.chord, 1e-4 * self.box_diagonal().min(other.box_diagonal()))?;
         let tolerance = positive_or_default("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
-        Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
+        Error::require(tolerance.is_finite(), "tolerance", tolerance, "finite and above 0")?;
         let rounding = net_rounding_error(self.box_diagonal().max(other.box_diagonal()));
         let resolution = tolerance.min(self.tolerance().min(other.tolerance())).max(8.0 * rounding);
         let pairs = self.candidate_cell_pairs(other, tolerance, &job.sub_job(0.0, 0.2))?;

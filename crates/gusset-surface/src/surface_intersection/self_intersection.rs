@@ -67,7 +67,7 @@ impl Surface<'_> {
     pub fn meet_itself(&self, options: &Options, job: &Job<'_>) -> Result<Paths> {
         let chord = positive_or_default("chord", options.chord, 1e-4 * self.box_diagonal())?;
         let tolerance = positive_or_default("tolerance", options.tolerance, self.tolerance())?;
-        Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
+        Error::require(tolerance.is_finite(), "tolerance", tolerance, "finite and above 0")?;
         // Adjacent cells are close to each other without touching.
         let rounding = net_rounding_error(self.box_diagonal());
         let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);

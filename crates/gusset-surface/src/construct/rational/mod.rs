@@ -15,7 +15,7 @@ use crate::patches::SplineOrigin;
 use crate::{Patch, Patches};
 use glam::DVec3;
 use glam::DVec4;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Allowed, Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::geom::scale::{common_unit, floor_to_power_of_two};
 use gusset_base::job::Job;
@@ -221,8 +221,13 @@ impl<'a> ScaledRationalSpline<'a> {
         let rounding = 2.0 * UNIT_ROUNDING_ERROR * (radius * (control + 1.5 * product) + 2.0 * largest);
         let tolerance = match options.tolerance {
             Some(given) => {
-                Error::require(given > 0.0 && given.is_finite(), "tolerance", given)?;
-                Error::require(given / unit >= 2.0 * rounding, "tolerance", given)?;
+                Error::require(given > 0.0 && given.is_finite(), "tolerance", given, "finite and above 0")?;
+                Error::require(
+                    given / unit >= 2.0 * rounding,
+                    "tolerance",
+                    given,
+                    Allowed::AtLeast(2.0 * rounding * unit),
+                )?;
                 given / unit
             }
             None => (DEFAULT_RELATIVE_TOLERANCE * diagonal).max(2.0 * rounding),
