@@ -520,7 +520,7 @@ enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_
 /// Direction within a net. See ::gusset_direction.
 enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
 
-/// Replicated rows or columns. See ::gusset_replication.
+/// Chooses the rows or columns to replicate. See ::gusset_replication.
 enum class Replication : uint32_t {
     uniform = GUSSET_REPLICATE_UNIFORM,
     first = GUSSET_REPLICATE_FIRST,

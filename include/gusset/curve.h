@@ -171,9 +171,10 @@ typedef uint32_t gusset_point_status;
 /// A blended curve has a cusp here.
 #define GUSSET_POINT_CUSP 18
 /// The curve crosses itself here although the points do not. A part between two points crosses itself (status at both),
-/// the next part (at the point between), or the one after (at both points between). The last does not count if the
-/// polygon turns by a half turn or more. Loops below a twentieth of a part may be missed. In space, a loop's ends are
-/// at most a twentieth of its size apart. The bisector avoids most loops.
+/// the next part (at the point between), the one after (at both points between), or the parts around a run of close
+/// points (at all of these). The last two do not count if the polygon turns by a half turn or more. Loops below a
+/// twentieth of a part may be missed. In space, a loop's ends are at most a twentieth of its size apart. The bisector
+/// avoids most loops, and repeat_tolerance merges close points.
 #define GUSSET_POINT_LOOPED 19
 /// The distance to the next or previous point is below a hundredth of both distances beside it, or below a
 /// ten-thousandth of one. The curve may turn there in any way. `repeat_tolerance` merges such points.
@@ -210,7 +211,7 @@ typedef struct gusset_outline_options {
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     double alpha;
-    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 1/6.
+    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01.
     double parameter_limit;
     /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     double repeat_tolerance;

@@ -314,6 +314,7 @@ typedef struct gusset_stitch_options {
     uint32_t arc_b[2];
     gusset_strip_search search;
     gusset_strip_start start;
+    /// Positions of new vertices; ignored without rows.
     gusset_fairing fairing;
     gusset_intersections intersections;
     gusset_centres centres;
@@ -516,7 +517,7 @@ typedef struct gusset_join_report {
     size_t hole_count;
     /// Rim vertices of holes, in order, before turning components outwards.
     struct gusset_indices hole_rims;
-    /// Old faces reversed against their pieces, by index in the result.
+    /// Old faces reversed against their pieces, by index in the result. New faces agree with the faces beside them.
     struct gusset_indices turned;
     /// A face of each non-orientable component.
     struct gusset_indices one_sided;
@@ -678,9 +679,10 @@ typedef uint32_t gusset_hole_status;
 #define GUSSET_HOLE_NOT_FREE 7
 /// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 #define GUSSET_HOLE_NO_TRIANGULATION 8
-/// Left open: loose faces; see GUSSET_KEEP_AUTO.
+/// Left open: loose faces; the loop passes all vertices of its component. See GUSSET_KEEP_AUTO.
 #define GUSSET_HOLE_LOOSE 9
-/// Left open: an edge coincides with another boundary edge up to rounding. GUSSET_KEEP_NONE fills the loop.
+/// Left open: an edge coincides with another boundary edge up to rounding, so that a patch would have no area there, or
+/// lie on another. GUSSET_KEEP_NONE fills the loop.
 #define GUSSET_HOLE_UNSEWN 10
 
 /// Report on one loop.
@@ -781,6 +783,7 @@ typedef struct gusset_fill_options {
     size_t struct_size;
     gusset_fill_weight weight;
     gusset_fill_refinement refine;
+    /// Positions of new vertices; ignored without them.
     gusset_fairing fairing;
     gusset_fill_keep keep;
     /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.

@@ -62,7 +62,7 @@ struct StitchOptions {
     StripSearch search = StripSearch::automatic;
     /// First meridian of a closed strip; open ones start at their first points.
     StripStart start = StripStart::automatic;
-    /// Positions of new vertices.
+    /// Positions of new vertices; ignored without rows.
     Fairing fairing = Fairing::none;
     /// Treatment of intersecting faces.
     Intersections intersections = Intersections::automatic;
@@ -80,7 +80,7 @@ struct FillOptions {
     FillWeight weight = FillWeight::continuation;
     /// New vertices of patches.
     FillRefinement refine = FillRefinement::none;
-    /// Positions of new vertices.
+    /// Positions of new vertices; ignored without them.
     Fairing fairing = Fairing::none;
     /// Loops that are not holes, if all loops are selected.
     FillKeep keep = FillKeep::automatic;

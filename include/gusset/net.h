@@ -818,6 +818,7 @@ typedef uint32_t gusset_direction;
 /// Along columns, from row to row.
 #define GUSSET_DIRECTION_DOWN 1
 
+/// Chooses the rows or columns to replicate.
 typedef uint32_t gusset_replication;
 /// All, as equally as possible.
 #define GUSSET_REPLICATE_UNIFORM 0

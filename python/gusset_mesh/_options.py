@@ -44,7 +44,7 @@ class OutlineOptions(TypedDict, total=False):
     joint: choices.JointParameter
     #: Method of solution.
     solver: choices.OutlineSolver
-    #: For open outlines and parts between corners; constraints take precedence.
+    #: For open outlines and parts between corners, without constraints.
     ends: choices.OutlineEnds
     #: 0 to 1.
     alpha: float
@@ -54,7 +54,7 @@ class OutlineOptions(TypedDict, total=False):
     repeat_tolerance: float
     #: Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     corner_angle: float
-    #: Iterations end when no move exceeds it; below 1; 0: 1e-12.
+    #: Iterations end when moves are within it; below 1; 0: 1e-12.
     tolerance: float
     #: Most sweeps or iterations between corners; 0: 200.
     max_sweeps: int
@@ -80,8 +80,8 @@ class StitchOptions(TypedDict, total=False):
     meridians: choices.Meridians
     #: Treatment of opposite orientations.
     orientation: choices.Orientation
-    #: Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in vertices in the
-    #: direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
+    #: Vertices to shift the first meridian along rim B, in the direction of rim A, modulo rim B. The shift begins at
+    #: the closest pair that no edge joins. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
     twist: int
     #: Part of the loops to join.
     extent: choices.StitchExtent
@@ -95,18 +95,17 @@ class StitchOptions(TypedDict, total=False):
     cells: choices.StripCells
     #: Source of the tolerance.
     tolerance_mode: choices.ToleranceMode
-    #: Facing vertices are farther than this from the plane of their loop; finite, at least 0.
+    #: Facing vertices are farther than this from their loop's plane.
     tolerance: float
-    #: First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may pass the loop's
-    #: end.
+    #: First index on loop A as given, and number of vertices, 1 to the loop's length; may pass its end.
     arc_a: Sequence[int]
     #: As arc_a, for loop B.
     arc_b: Sequence[int]
     #: Search effort.
     search: choices.StripSearch
-    #: First meridian of a closed strip.
+    #: First meridian of a closed strip; open ones start at their first points.
     start: choices.StripStart
-    #: Positions of interior rows; ignored without rows.
+    #: Positions of new vertices; ignored without rows.
     fairing: choices.Fairing
     #: Treatment of intersecting faces.
     intersections: choices.Intersections
@@ -114,7 +113,7 @@ class StitchOptions(TypedDict, total=False):
     centres: choices.Centres
     #: Side that closed components face.
     outward: choices.Outward
-    #: Surface between the rims.
+    #: Surface between the rims, or in a hole.
     finish: choices.Finish
 
 
@@ -125,39 +124,38 @@ class FillOptions(TypedDict, total=False):
     weight: choices.FillWeight
     #: New vertices of patches.
     refine: choices.FillRefinement
-    #: Fairing; ignored without new vertices.
+    #: Positions of new vertices; ignored without them.
     fairing: choices.Fairing
-    #: Loops that stay open, if all loops are selected.
+    #: Loops that are not holes, if all loops are selected.
     keep: choices.FillKeep
     #: Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     intersections: choices.Intersections
-    #: 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
-    #: and shared patches are not predicted.
+    #: 1: only reports which loops would be filled, by which weight and finish, without predicting failed
+    #: triangulations and shared patches.
     plan_only: bool
-    #: Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or
-    #: 4 a rim vertex if more; twice that for sharp angles.
+    #: Approximate limit on a patch's new vertices, kept by larger triangles, within a factor of 2. 0: 50,000, or 4 a
+    #: rim vertex if more; twice that for sharp angles.
     max_new_vertices: int
-    #: Most edges of a loop to fill. 0: no limit.
+    #: Most edges of a loop to fill; 0: any.
     max_edges: int
-    #: Largest length of a loop to fill, at least 0. 0: no limit.
+    #: Largest length of a loop to fill, at least 0; 0: any.
     max_length: float
-    #: Largest diagonal of the loop's axis-aligned box, likewise.
+    #: As max_length, for diameter of gusset_hole.
     max_diameter: float
-    #: Largest area, as in gusset_hole, likewise.
+    #: As max_length, for area of gusset_hole.
     max_area: float
-    #: For closed components of the result, patches included.
+    #: Side that closed components face.
     outward: choices.Outward
-    #: Loops that share a patch, if groups is NULL.
+    #: Loops that share a patch.
     together: choices.FillTogether
-    #: Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0, without loops left open
-    #: for their own reasons. NULL: see together.
+    #: Group of each given loop; the group's loops share a patch of genus 0, except loops left open for their own
+    #: reasons. NULL: together decides.
     groups: ArrayLike
     #: Smoothness between faired patches and the old surface.
     continuity: choices.FillContinuity
     #: 1: creases of the old surface end at the rim.
     ignore_creases: bool
-    #: GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired, regardless of refine
-    #: and fairing.
+    #: Surface between the rims, or in a hole.
     finish: choices.Finish
 
 
@@ -168,11 +166,11 @@ class StripOptions(TypedDict, total=False):
     meridians: choices.Meridians
     #: Search effort.
     search: choices.StripSearch
-    #: First meridian of closed polylines; open ones start at their first points.
+    #: First meridian of a closed strip; open ones start at their first points.
     start: choices.StripStart
     #: 1 if the polylines are closed.
     closed: bool
-    #: Number of interior rows; mean edges are of both polylines.
+    #: Number of interior rows.
     rows: choices.RowRule
     #: Interior rows.
     row_count: int
@@ -187,13 +185,13 @@ class WeldOptions(TypedDict, total=False):
     vertices: choices.WeldVertices
     #: Distance at which vertices coincide. - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most
     #: 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice the last decimal place that
-    #: positions show. At each vertex at most a quarter of the shortest edge; with GUSSET_COLLAPSE_ALLOW, edges within
-    #: the first limit are not counted. - Last decimal place: let D be the largest power of ten up to the longest side
-    #: of the vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers:
-    #: coordinates of the largest order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D
-    #: are left out; at least eight other numbers are needed.
+    #: positions show. At each vertex at most a quarter of the shortest edge; GUSSET_COLLAPSE_ALLOW skips edges within
+    #: the first limit. - Last decimal place: let D be the largest power of ten up to the longest side of the
+    #: vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of at least eight numbers.
+    #: They are coordinates of the largest order of magnitude, or differences of consecutive vertices, except
+    #: multiples of 1e-4 D.
     tolerance_mode: choices.ToleranceMode
-    #: Largest distance of coincident vertices, finite, at least 0.
+    #: Largest distance of coincident vertices.
     tolerance: float
     #: Treatment of coincident corners of one face.
     collapse: choices.Collapse
@@ -204,7 +202,7 @@ class WeldOptions(TypedDict, total=False):
 class OrientOptions(TypedDict, total=False):
     """Fields of ``gusset_orient_options``; what is not given is as by default."""
 
-    #: For closed components.
+    #: Side that closed components face.
     outward: choices.Outward
 
 
@@ -217,24 +215,24 @@ class AlignmentOptions(TypedDict, total=False):
     samples: int
     #: Rigid motions of the pieces, or NULL.
     poses: ArrayLike
-    #: Largest distance of matched points, and about how far a piece may move; finite, at least 0. 0: a tenth of the
-    #: largest piece's box diagonal.
+    #: Largest distance of matched points, and about how far a piece may move. 0: a tenth of the largest piece's box
+    #: diagonal.
     max_distance: float
-    #: Rounds in each of two stages, at most; 0: 100.
+    #: Most rounds in each of two stages; 0: 100.
     max_rounds: int
 
 
 class TrimOptions(TypedDict, total=False):
     """Fields of ``gusset_trim_options``; what is not given is as by default."""
 
-    #: Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the coarser piece.
+    #: Largest distance of surfaces that count as one. 0: 4 mean edges of the coarser piece.
     max_distance: float
     #: Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     max_angle: float
     #: A point for each piece, or NULL. Parts seen at flat angles weigh less.
     viewpoints: ArrayLike
     #: Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other pieces also show.
-    #: Holes below that limit are not made.
+    #: Smaller holes are not made.
     min_faces: int
 
 
@@ -254,12 +252,12 @@ class DevelopOptions(TypedDict, total=False):
     distortion: choices.Distortion
     #: Most darts: cuts from a chart's border to where it is curved.
     max_darts: int
-    #: Vertices of the paths to cut along, path after path, connected by the shortest paths along edges. A path of one
-    #: vertex cuts nothing.
+    #: Vertices of paths to cut along, path after path, connected by shortest edge paths. A path of one vertex cuts
+    #: nothing.
     cuts: ArrayLike
     #: Start of each path in cuts, and the end of the last. Empty: one path.
     cut_offsets: ArrayLike
-    #: Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
+    #: Darts stop once no length changes by a larger factor; above 1, finite; 0: none.
     max_stretch: float
     #: Most steps of a descent; 0: 200. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
     #: several descents.
@@ -282,29 +280,29 @@ class FacingOptions(TypedDict, total=False):
 class MeshSectionOptions(TypedDict, total=False):
     """Fields of ``gusset_mesh_section_options``; what is not given is as by default."""
 
-    #: Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
-    #: Polylines with points left out may cross each other or themselves.
+    #: Leaves out points up to this far from the polyline; 0: keeps all points. Polylines with points left out may
+    #: cross each other or themselves.
     tolerance: float
-    #: The side of a plane to which vertices in the plane belong.
+    #: Side of vertices in a plane.
     in_plane: choices.InPlane
 
 
 class GlueOptions(TypedDict, total=False):
     """Fields of ``gusset_glue_options``; what is not given is as by default."""
 
-    #: For detect: largest distance of coincident nodes; at least 0, finite.
+    #: For detect: largest distance of coincident nodes.
     tolerance: float
     #: Gluings to add.
     gluings: ArrayLike
-    #: Links to contract; see contracted of gusset_net_analysis_view.
+    #: Links to contract, as in gusset_net_analysis_view.
     links: ArrayLike
-    #: 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of coincident runs of
-    #: two or more side nodes in either direction. The orientation stays.
+    #: 1: replaces the gluing by the one that coordinates imply: coincident neighbours, and coincident runs of two or
+    #: more side nodes in either direction. The orientation stays.
     detect: bool
-    #: 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped. Nets that glue
-    #: equal neighbours then have equal matrices. detect implies it.
+    #: 1: contracts links with ends in one point, and drops redundant seams; detect implies it. Nets that glue equal
+    #: neighbours then have equal matrices.
     saturate: bool
-    #: 1: moves the nodes of a point to its first node, bit for bit.
+    #: 1: moves a point's nodes to its first, bit for bit.
     snap: bool
 
 
@@ -315,9 +313,9 @@ class NetPrimitive(TypedDict, total=False):
     shape: choices.NetShape
     #: Type of coordinates.
     scalar: choices.Scalar
-    #: 0: 33. Boxes and lathes ignore it.
+    #: 0: 33. Not for boxes and lathes.
     rows: int
-    #: 0: 65. Boxes ignore it.
+    #: 0: 65. Not for boxes.
     columns: int
     #: Above 0.
     radius: float
@@ -327,14 +325,14 @@ class NetPrimitive(TypedDict, total=False):
     height: float
     #: Sizes along x, y and z, above 0.
     size: Sequence[float]
-    #: Distance from the axis, at least 0, and height of each point, upwards. Points on the axis are poles. A closed
-    #: profile makes a ring.
+    #: Distance from the axis (at least 0) and height of each point, upwards. Points on the axis are poles; closed
+    #: profiles make rings.
     profile: ArrayLike
-    #: Lateral faces of a prism or pyramid, at least 3.
+    #: Lateral faces of prisms and pyramids, at least 3.
     sides: int
     #: Layout of the caps of a box.
     box_kind: choices.BoxKind
-    #: Cells of a box along x, y and z, at least 1 each.
+    #: Cells of boxes along x, y and z, at least 1.
     cells: Sequence[int]
 
 
@@ -343,7 +341,7 @@ class NetMeshOptions(TypedDict, total=False):
 
     #: Faces of a net's mesh.
     faces: choices.NetFaces
-    #: 1: one vertex for each node; 0: glued nodes are one vertex.
+    #: 1: a vertex for each node; 0: glued nodes are one.
     no_weld: bool
     #: 1: keeps finite vertices without faces and wires.
     keep_unused: bool
@@ -351,8 +349,8 @@ class NetMeshOptions(TypedDict, total=False):
     fill_corners: bool
     #: 1: computes texture coordinates.
     texture: bool
-    #: Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes depth jumps from
-    #: range images.
+    #: Omits faces with edges above this multiple of the median edge; 0: no limit. 4 removes depth jumps from range
+    #: images.
     max_edge_ratio: float
 
 
@@ -361,7 +359,7 @@ class NetGridOptions(TypedDict, total=False):
 
     #: Faces of a cell of the given grid.
     cells: choices.GridCells
-    #: 1: only the component of face must be a grid; 0: the whole mesh.
+    #: 1: only the component of face must be a grid; 0: all.
     has_face: bool
     #: Face of the component.
     face: int
@@ -378,12 +376,12 @@ class NetCopyOptions(TypedDict, total=False):
     column_first: int
     #: Columns of the part, at least 2; 0: the rest.
     column_count: int
-    #: Rows after replication, at least the present number; 0: none. Links between copies are contracted.
+    #: Rows after replication, at least the present; 0: none. Links between copies are contracted.
     rows: int
     #: Columns after replication, likewise.
     columns: int
-    #: 1: removes rows and columns that repeat the previous one: equal coordinates and links, contracted links between
-    #: both. Two rows, two columns and the ends of bridges stay.
+    #: 1: removes rows and columns that repeat the previous: equal coordinates and links, contracted links between.
+    #: Two of each and ends of bridges stay.
     compact: bool
     #: For rows.
     row_replication: choices.Replication
@@ -395,14 +393,14 @@ class NetCopyOptions(TypedDict, total=False):
     column_index: int
     #: Symmetry.
     turn: choices.NetTurn
-    #: Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
+    #: 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
     scalar: choices.Scalar
 
 
 class ConcatenateOptions(TypedDict, total=False):
     """Fields of ``gusset_concatenate_options``; what is not given is as by default."""
 
-    #: For welding: largest distance of coincident nodes, at least 0.
+    #: For welding: largest distance of coincident nodes.
     tolerance: float
     #: Direction from each net to the next.
     direction: choices.Direction
@@ -412,11 +410,11 @@ class ConcatenateOptions(TypedDict, total=False):
     equalise: choices.Replication
     #: Row or column to replicate.
     equalise_index: int
-    #: Rotation in nodes of each later net along its closed side.
+    #: Rotation of each later net along its closed side, in nodes.
     twist: int
     #: 1: flips nets along the side if oriented unlike the first; 0: refuses them.
     turn: bool
-    #: Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
+    #: Inner rows or columns of new bridges, even on lines; 0 for GUSSET_BRIDGE_WELD.
     rows: int
 
 
@@ -427,15 +425,14 @@ class NetAnalysisOptions(TypedDict, total=False):
     fields: ArrayLike
     #: As for gusset_net_deform.
     time: float
-    #: Lengths up to this count as 0; at least 0, finite.
+    #: Lengths up to it count as 0.
     tolerance: float
 
 
 class PlanariseOptions(TypedDict, total=False):
     """Fields of ``gusset_planarise_options``; what is not given is as by default."""
 
-    #: Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
-    #: float.
+    #: Distance of corners from their mean plane, relative to the box diagonal; 0: 1e-10, float: 4e-7.
     tolerance: float
     #: For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     fixed: ArrayLike
@@ -448,11 +445,11 @@ class PlanariseOptions(TypedDict, total=False):
 class SettleOptions(TypedDict, total=False):
     """Fields of ``gusset_settle_options``; what is not given is as by default."""
 
-    #: Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
+    #: Largest displacement in the last step, relative to the box diagonal; 0: 1e-12.
     tolerance: float
     #: Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     rest_ratio: float
-    #: For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    #: For each part between bridges: 1 moves it as a rigid body, 0 holds it. NULL holds all.
     free: ArrayLike
     #: Most steps; 0: 1000.
     max_iterations: int
@@ -468,40 +465,39 @@ class WingedOptions(TypedDict, total=False):
 class StreamOptions(TypedDict, total=False):
     """Fields of ``gusset_stream_options``; what is not given is as by default."""
 
-    #: Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
+    #: Rows of each independent block; 0: about 2^17 nodes, or all for RAW.
     rows_per_block: int
     #: Storage of coordinates in a stream.
     mode: choices.StreamMode
     #: QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     bits: int
-    #: QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
+    #: QUANTISED. 1: each axis has its own step; 0: the longest extent's. Else 0.
     per_axis: bool
     #: QUANTISED: choice of the levels. Else 0.
     levels: choices.StreamLevels
-    #: Smallest coordinates of all tiles, finite: level 0.
+    #: Smallest coordinates of all tiles: level 0.
     low: Sequence[float]
     #: Largest coordinates of all tiles, at least low.
     high: Sequence[float]
-    #: Distance of levels on all axes, above 0; bits becomes the least number that reaches across the box, and must be
-    #: 0. 0: the distance follows from bits.
+    #: Distance of levels on all axes, above 0; bits must be 0 and becomes the least number that spans the box. 0:
+    #: follows from bits.
     step: float
 
 
 class SurfaceOptions(TypedDict, total=False):
     """Fields of ``gusset_surface_options``; what is not given is as by default."""
 
-    #: Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the surface's box
-    #: diagonal.
+    #: Guaranteed accuracy of distances and positions. 0: 1e-9 of the surface's box diagonal.
     tolerance: float
-    #: 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such
-    #: query builds them.
+    #: 1: builds cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such query
+    #: does.
     cones: bool
 
 
 class NearestOptions(TypedDict, total=False):
     """Fields of ``gusset_nearest_options``; what is not given is as by default."""
 
-    #: Largest distance of a point, at least 0; 0 or INFINITY: no limit.
+    #: Largest distance; 0 or INFINITY: no limit.
     limit: float
     #: Minima: most, nearest first; 0: all.
     max_count: int
@@ -510,7 +506,7 @@ class NearestOptions(TypedDict, total=False):
 class ContourOptions(TypedDict, total=False):
     """Fields of ``gusset_contour_options``; what is not given is as by default."""
 
-    #: A length above 0, finite; at least the surface's tolerance applies.
+    #: Above 0; at least the surface's tolerance applies.
     chord: float
     #: Curve points between crossings with cell sides.
     spacing: choices.SpacingRule
@@ -521,13 +517,13 @@ class ContourOptions(TypedDict, total=False):
 class IntersectionOptions(TypedDict, total=False):
     """Fields of ``gusset_intersection_options``; what is not given is as by default."""
 
-    #: Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by about 15 %. At least
-    #: the smallest of `tolerance` and the surfaces' tolerances applies.
+    #: Largest distance of the curve from its chords, above 0; rare chords exceed it by about 15 %. At least the
+    #: smallest of `tolerance` and the surfaces' applies.
     chord: float
-    #: Two surfaces touch where their gap or overlap stays within this length, finite; 0: the surfaces' smaller
-    #: tolerance. Self-intersections use at most the surface's. Branches shorter than all three may be lost.
+    #: Surfaces touch where their gap or overlap stays within it; 0: the surfaces' smaller tolerance.
+    #: Self-intersections use at most the surface's. Branches shorter than all three may be lost.
     tolerance: float
-    #: Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
+    #: Not GUSSET_POINT_SPACING_LEUS; GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     spacing: choices.SpacingRule
 
 
@@ -549,22 +545,21 @@ class FrameOptions(TypedDict, total=False):
 
     #: Correspondence of points between sections.
     correspondence: choices.CorrespondenceRule
-    #: ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more corners. LANDMARKS:
-    #: parts between two landmarks.
+    #: ANGLE: nodes in each section. ARC_LENGTH: likewise, more if sections have more corners. LANDMARKS: parts
+    #: between two landmarks.
     columns: int
     #: 1: the first section follows the last.
     ring: bool
-    #: ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first section's first
-    #: point.
+    #: ARC_LENGTH. 1: closed sections start at their first points, or the corner after the first section's.
     given_starts: bool
     #: 1: only constraints make corners. 0: sections also have corners where they turn by more than `corner_angle` of
-    #: `across`. If this is pi, all points of a polygon are corners, and points that turn by 40 degrees and far more
-    #: than usual. Polygons are closed sections of at most 6 points, and sections whose points turn by more than 54 or
-    #: less than 6 degrees. Not with ANGLE unless `corner_angle` is below pi.
+    #: `across`. If this is pi (not with ANGLE), corners are all points of polygons, and points that turn by 40
+    #: degrees and far more than usual. Polygons are closed sections of at most 6 points, and sections that turn by
+    #: more than 54 or less than 6 degrees at points.
     smooth_corners: bool
     #: ANGLE: a point of the axis.
     axis_point: Sequence[float]
-    #: ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
+    #: ANGLE: direction of the axis; angles are right-handed about it.
     axis_direction: Sequence[float]
     #: ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     reference: Sequence[float]
@@ -577,9 +572,9 @@ class FrameOptions(TypedDict, total=False):
     across: OutlineOptions
     #: Options of the curves along.
     along: OutlineOptions
-    #: GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. Each is
-    #: interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
-    #: parameters from adjacent columns.
+    #: GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. A Catmull-Rom
+    #: curve through up to two nodes before and after in the column fills each, with centripetal parameters from
+    #: adjacent columns.
     missing: ArrayLike
 
 
@@ -589,32 +584,32 @@ class JoinOptions(TypedDict, total=False):
     #: Treatment of coincident borders.
     weld: choices.Welding
     #: GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against those that
-    #: they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
+    #: they face. GUSSET_ORIENTATION_KEEP ignores outward and reverses nothing.
     orientation: Literal['fix', 'keep']
     #: Widest gap to close.
     gap: choices.Gap
-    #: Parts of loops to join.
+    #: Parts of loops that are joined.
     extent: choices.JoinExtent
     #: 1 also joins loops of one component that pairs does not name.
     within_components: bool
     #: 1 fills the remaining holes.
     fill: bool
-    #: Widest gap to close, finite, at least 0; 0 closes none.
+    #: Widest gap to close; 0 closes none.
     max_gap: float
-    #: Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice (see gusset_joint).
-    #: No loop is in two pairs.
+    #: Pairs of whole loops to join at any distance, or NULL: two loops, or a slit twice (see gusset_joint). No loop
+    #: is in two pairs.
     pairs: ArrayLike
     #: Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     excluded: ArrayLike
     #: Options of welding.
     weld_options: WeldOptions
-    #: Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
-    #: used; all must be valid.
+    #: Uses meridians, search, start, rows, row_count, cells, fairing, intersections and finish; all options must be
+    #: valid.
     strip_options: StitchOptions
-    #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
-    #: GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
+    #: Ignores groups, and outward and plan_only, which must be valid. With GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO
+    #: acts as GUSSET_KEEP_BORDERS.
     fill_options: FillOptions
-    #: Closed components face outwards by default. Others mostly keep the first piece's orientation.
+    #: Open components mostly keep the first piece's orientation.
     outward: choices.Outward
     #: Treatment of overlapping pieces.
     overlaps: choices.Overlaps
@@ -625,11 +620,11 @@ class JoinOptions(TypedDict, total=False):
 class RepairOptions(TypedDict, total=False):
     """Fields of ``gusset_repair_options``; what is not given is as by default."""
 
-    #: Distance at which borders coincide, as in gusset_weld_options.
+    #: Source of the tolerance.
     tolerance_mode: choices.ToleranceMode
     #: 1: borders are not sewn.
     leave_borders: bool
-    #: Largest distance of coincident borders, finite, at least 0.
+    #: Largest distance of coincident borders.
     tolerance: float
     #: 1: faces without area stay.
     leave_flat_faces: bool
@@ -639,13 +634,13 @@ class RepairOptions(TypedDict, total=False):
     leave_non_manifold: bool
     #: 1: holes stay open.
     leave_holes: bool
-    #: 1: open sheets stay that were attached to a closed component.
+    #: 1: open sheets that were attached to closed components stay.
     leave_fins: bool
     #: 1: no component is oriented.
     leave_orientation: bool
-    #: 1: faces that intersect stay.
+    #: 1: intersecting faces stay.
     leave_intersections: bool
-    #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    #: Ignores groups, and outward and plan_only, which must be valid.
     fill_options: FillOptions
 
 

@@ -641,7 +641,9 @@ class JoinReport(Record):
 
     @property
     def turned(self) -> NDArray[np.uint32]:
-        """Old faces reversed against their pieces, by index in the result."""
+        """Old faces reversed against their pieces, by index in the result. New faces agree with the faces beside
+        them.
+        """
         return self._array('turned')
 
     @property

@@ -249,7 +249,7 @@ GridCells = Literal['quads', 'triangles']
 #: Direction within a net.
 Direction = Literal['right', 'down']
 
-#: Replicated rows or columns.
+#: Chooses the rows or columns to replicate.
 Replication = Literal['uniform', 'first', 'last', 'at', 'at_poles', 'refuse']
 
 #: Symmetry of the rectangle of nodes.

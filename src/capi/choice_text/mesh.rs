@@ -161,8 +161,8 @@ pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
         (6, c"Left open: a given loop has fewer than three vertices, or passes a vertex twice."),
         (7, c"Left open: an edge of a given loop is not a boundary edge, or belongs to an earlier loop."),
         (8, c"Left open: every triangulation joins two vertices of one old face, or no shared patch was found."),
-        (9, c"Left open: loose faces; see GUSSET_KEEP_AUTO."),
-        (10, c"Left open: an edge coincides with another boundary edge up to rounding."),
+        (9, c"Left open: loose faces; the loop passes all vertices of its component."),
+        (10, c"Left open: an edge coincides with another boundary edge up to rounding, so that a patch would have no area there, or lie on another."),
     ]),
     ("gusset_weld_vertices", &[
         (0, c"Ends of boundary edges: sews coincident borders edge to edge."),

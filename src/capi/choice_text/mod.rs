@@ -13,9 +13,12 @@ mod scene;
 mod stream;
 mod surface;
 
-/// For each header, the name of each choice, and its constants with their texts.
+/// The name of a choice, and its constants with their texts.
+type Choice = (&'static str, &'static [(u32, &'static CStr)]);
+
+/// The choices of each header.
 #[rustfmt::skip]
-static TABLES: [&[(&str, &[(u32, &CStr)])]; 8] = [
+static TABLES: [&[Choice]; 8] = [
     base::CHOICES,
     curve::CHOICES,
     mesh::CHOICES,

@@ -32,6 +32,11 @@ pub struct Options {
 
 impl Options {
     pub(super) fn check(&self) -> Result<()> {
-        Error::require(self.tolerance >= 0.0 && self.tolerance.is_finite(), "tolerance", self.tolerance, "finite and at least 0")
+        Error::require(
+            self.tolerance >= 0.0 && self.tolerance.is_finite(),
+            "tolerance",
+            self.tolerance,
+            "finite and at least 0",
+        )
     }
 }
