@@ -351,7 +351,7 @@ fn tolerances_at_the_ends_of_the_range() {
         let options = Options { tolerance: Some(bad), ..ALL };
         match weld(&at(1.0, 1.0).view(), &options, &Job::default()) {
             Err(Error::OptionOutOfRange { option: "tolerance", value, .. }) => {
-                assert_eq!(value.to_bits(), bad.to_bits())
+                assert_eq!(value.to_bits(), bad.to_bits());
             }
             other => panic!("{other:?}"),
         }
