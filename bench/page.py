@@ -84,6 +84,11 @@ valid; distances are at least 1e-7 of the diagonal). `valid`: CGAL finds the res
 faces, and bounding a volume. `lost`: parts of the originals of which the result has less than half. `kept`: the share of faces farther
 than three edges from a defect that are there bit for bit. `again`: results that a second repair does not change. MeshLib computes in single
 precision, and so do the cases.""",
+    "section": """## Sections of meshes
+
+A bumpy torus of a million triangles, cut by 1 and by 100 parallel planes: ordered polylines with nesting, from arrays. CGAL's slicer starts
+from its mesh and builds its tree; trimesh and VTK start from their meshes. VTK's cutter leaves segments unordered. `same_result`: equal
+numbers of polylines, for CGAL also of points, for VTK of segments.""",
     "unite": """## Unions
 
 1,000 pairs of random solids: balls, tori, boxes, cylinders and capsules, and a quarter of them a solid and its moved copy. Times are
