@@ -129,7 +129,7 @@ static void containers() {
     //! [containers]
     const std::vector<std::array<int, 3>> rows = {{0, 1, 2}, {0, 2, 3}}; // or std::vector<int>, or std::span<const uint32_t>
     const auto triangles = gusset::MeshView::triangles(points, rows);
-    // A quad and a triangle. Both arrays have one type, and so they are named.
+    // A quad and a triangle. The wrappers tell the two arrays apart.
     const std::vector<int> offsets = {0, 4, 7}, corners = {0, 1, 2, 3, 3, 2, 4};
     const auto polygons = gusset::MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners));
     // The arrays of a result, without a copy.
