@@ -1,9 +1,9 @@
-//! Loops around crowded runs: runs of points that are far closer to each other than to the points before or after.
+//! Loops around runs of points that are close to each other.
 //!
-//! A curve that overshoots at such points may cross itself beyond all of them: the span before the run crosses the
-//! span after it. A run has two legs or more, the lines between its points. They are together shorter than half of
-//! the leg before the run, or of the leg after it. A run counts as one line where the turn of the lines is asked
-//! for. Runs of more than [`MAX_SPANS_ACROSS_RUN`] spans are not searched. O(n).
+//! A curve that overshoots at such points may cross itself beyond them: the span before the run crosses the span
+//! after it. A run has two legs or more, the lines between its points. They are together shorter than the control
+//! polygons of one of both spans. A run counts as one line where the turn of the lines is asked for. Runs of more
+//! than [`MAX_SPANS_ACROSS_RUN`] spans are not searched. O(n).
 
 use super::arc_crossing::{Arc, Crossing, CrossingSearch};
 use super::spans::{Spans, do_lines_turn_back};
@@ -11,8 +11,6 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// The legs of a run are together shorter than this fraction of the longer leg at its ends.
-const MAX_RELATIVE_RUN_LENGTH: f64 = 0.5;
 /// A span is compared with spans across a run at least this many places apart. Closer ones are neighbours.
 const MIN_SPANS_ACROSS_RUN: usize = 3;
 /// A span is compared with spans across a run at most this many places apart.
@@ -34,35 +32,40 @@ pub(super) fn find_loops_across_runs(
     // Both spans at the ends of a run are neighbours from the other side if few spans are left there.
     let most = MAX_SPANS_ACROSS_RUN.min(count.saturating_sub(if spans.closed { MIN_SPANS_ACROSS_RUN } else { 1 }));
     let last = count.saturating_sub(1);
-    let (mut leg_before, mut longest) = (leg_length(spans, if spans.closed { last } else { 0 }), leg_length(spans, 0));
     for k in 0..count {
-        let leg_after = leg_length(spans, k + 1);
-        let is_short = |run: f64| run < MAX_RELATIVE_RUN_LENGTH * longest;
-        // The run after a long leg.
-        let mut run = leg_after;
-        let mut by = 2;
-        while is_short(run) && by <= if spans.closed { most } else { most.min(last - k) } {
+        let reach = reach_of_span(spans, k);
+        // The run after the span.
+        let (mut run, mut by) = (leg_length(spans, k + 1), 2);
+        while run < reach && by <= if spans.closed { most } else { most.min(last - k) } {
             if by >= MIN_SPANS_ACROSS_RUN {
                 enter(k, by)?;
             }
             run += leg_length(spans, k + by);
             by += 1;
         }
-        // The run before it, unless the leg before the run is long too.
-        let mut run = leg_before;
-        let mut by = 2;
-        while is_short(run) && by <= if spans.closed { most } else { most.min(k) } {
-            let first = if k >= by { k - by } else { k + count - by };
-            let first_leg = leg_length(spans, first);
-            if by >= MIN_SPANS_ACROSS_RUN && run >= MAX_RELATIVE_RUN_LENGTH * first_leg {
+        // The run before it, unless the span before the run reaches as far.
+        let before = |by: usize| if k >= by { k - by } else { k + count - by };
+        let allowed = if spans.closed { most } else { most.min(k) };
+        let (mut run, mut by) = (if allowed > 0 { leg_length(spans, before(1)) } else { 0.0 }, 2);
+        while run < reach && by <= allowed {
+            let first = before(by);
+            if by >= MIN_SPANS_ACROSS_RUN && run >= reach_of_span(spans, first) {
                 enter(first, by)?;
             }
-            run += first_leg;
+            run += leg_length(spans, first);
             by += 1;
         }
-        (leg_before, longest) = (longest, leg_after);
     }
     Ok(())
+}
+
+/// The length of the control polygons of span k's segments, which the span does not exceed.
+#[inline]
+fn reach_of_span(spans: &Spans<'_>, k: usize) -> f64 {
+    let place = spans.place_of_span(k);
+    let polygon =
+        |i: usize| spans.segment_of_span(place.segment + i).windows(2).map(|leg| leg[0].distance(leg[1])).sum::<f64>();
+    (0..=place.further_segments).map(polygon).sum::<f64>() / spans.placement.unit
 }
 
 /// The length of the line between the points of span k.
