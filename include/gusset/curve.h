@@ -211,7 +211,8 @@ typedef struct gusset_outline_options {
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     double alpha;
-    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01.
+    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01, or 1/12 with
+    /// GUSSET_JOINT_PARAMETER_G2.
     double parameter_limit;
     /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     double repeat_tolerance;

@@ -287,7 +287,7 @@ fn the_locks_hold() {
             for i in (0..n).filter(|&i| fit.statuses()[i] == PointStatus::Ok) {
                 let [a, p, c] = [(i + n - 1) % n, i, (i + 1) % n].map(|k| line.points[k]);
                 let (place, segment) = (fit.place(i), fit.curve(0).segment(i));
-                let t = |a: DVec3, c: DVec3| within_limits(root(a, p) / (root(a, p) + root(p, c)));
+                let t = |a: DVec3, c: DVec3| within_limits(root(a, p) / (root(a, p) + root(p, c)), JointParameter::G2);
                 assert_eq!(segment.len(), 4);
                 let off = match lock {
                     Lock::Parameter => (place.t - t(a, c)).abs(),

@@ -13,7 +13,7 @@ pub(crate) const CUBIC: Options = Options {
     joint: gusset::curve::JointParameter::Half,
     solver: gusset::curve::Solver::Fast,
     ends: gusset::curve::Ends::Free,
-    parameter_limit: 0.01,
+    parameter_limit: None,
     repeat_tolerance: 1e-12,
     corner_angle: PI,
     tolerance: 1e-12,

@@ -70,7 +70,7 @@ fn what_is_no_outline_is_refused() {
     for (option, options) in [
         ("alpha", Options { method: Method::Alpha(1.5), ..plain }),
         ("alpha", Options { method: Method::Alpha(f64::NAN), ..plain }),
-        ("parameter_limit", Options { parameter_limit: 0.5, ..plain }),
+        ("parameter_limit", Options { parameter_limit: Some(0.5), ..plain }),
         ("repeat_tolerance", Options { repeat_tolerance: -1.0, ..plain }),
         ("corner_angle", Options { corner_angle: f64::NAN, ..plain }),
         ("tolerance", Options { tolerance: f64::INFINITY, ..plain }),

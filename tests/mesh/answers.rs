@@ -54,7 +54,7 @@ fn a_request_with_one_mesh_never_mentions_a_second() {
     assert!(matches!(error, Error::OrientationConflict { .. }) && !error.to_string().contains("piece"), "{error}");
     let notes = Notes::default();
     assert!(within(&both, &stitch::Options::default(), &Job::new(1, &notes)).unwrap().turned);
-    let note = "the loops' components disagree in orientation: that of the second loop has been turned over";
+    let note = "the loops' components disagree in orientation: the second loop's component was turned over";
     assert_eq!(*notes.0.borrow(), [note]);
     // Whichever of the two is inside out, the second is the one that is turned.
     let (inward, outward) = (cap(8, 2, 0.2, 1.0).turned(), cap(8, 2, 0.2, -1.0));

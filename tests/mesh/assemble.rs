@@ -317,7 +317,7 @@ fn the_same_piece_twice_and_thrice() {
     let notes = crate::answers::Notes::default();
     let done = run_with(&[lower.clone(), lower, upper], &welding(), &Job::new(1, &notes));
     assert_eq!(done.zero_volume.len(), 1);
-    assert!(notes.0.borrow().iter().any(|note| note.contains("no volume")));
+    assert!(notes.0.borrow().iter().any(|note| note.contains("without volume")));
     let done =
         run(&[piece.clone(), piece.clone(), piece.clone()], &Options { max_gap: MaxGap::Given(0.0), ..welding() });
     assert_eq!((done.loops_left, done.sewn_edges, done.welded_vertices), (3, 0, 0));

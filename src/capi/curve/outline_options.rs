@@ -179,7 +179,8 @@ pub struct gusset_outline_options {
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     pub alpha: f64,
-    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01.
+    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01, or
+    /// 1/12 with GUSSET_JOINT_PARAMETER_G2.
     pub parameter_limit: f64,
     /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     pub repeat_tolerance: f64,
@@ -250,7 +251,7 @@ impl gusset_outline_options {
             joint: read_choice(self.joint)?,
             solver: read_choice(self.solver)?,
             ends: read_choice(self.ends)?,
-            parameter_limit: or(self.parameter_limit, plain.parameter_limit),
+            parameter_limit: (self.parameter_limit != 0.0).then_some(self.parameter_limit),
             repeat_tolerance: or(self.repeat_tolerance, plain.repeat_tolerance),
             corner_angle: or(self.corner_angle, plain.corner_angle),
             tolerance: or(self.tolerance, plain.tolerance),

@@ -232,6 +232,6 @@ mod tests {
         let mesh = MeshView::new(Positions::from(&points[..]), Faces::triangles(&corners).unwrap(), &job).unwrap();
         let made = OperationResult::Weld(weld(&mesh, &Options::default(), &job).unwrap());
         let message = made.wrong_operation_failure("gusset_stitch").message;
-        assert_eq!(message, "the result was made by gusset_weld, not by gusset_stitch");
+        assert_eq!(message, "result was made by gusset_weld; pass a result of gusset_stitch");
     }
 }

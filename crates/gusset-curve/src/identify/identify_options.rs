@@ -143,9 +143,9 @@ pub struct Options {
     /// The ends of open outlines; constraints take precedence.
     pub ends: Ends,
     /// The parameter of a point stays between this and 1 minus this; 0.001 <= `parameter_limit` <
-    /// 1/2. Limits such as 1/6 make loops at points that are close together. The default, 0.01,
-    /// limits the bisector only at points that are crowded.
-    pub parameter_limit: f64,
+    /// 1/2. [`None`]: 1/12 for joints of continuous curvature, whose iteration converges more rarely
+    /// with a smaller limit; else 0.01. Limits such as 1/6 make loops at points that are close together.
+    pub parameter_limit: Option<f64>,
     /// Neighbours closer than this, times the size of the outline, are merged. At least 0.
     pub repeat_tolerance: f64,
     /// A point is a corner if the polygon of the points turns there by more than this angle, in
@@ -175,7 +175,7 @@ impl Default for Options {
             joint: JointParameter::default(),
             solver: Solver::default(),
             ends: Ends::default(),
-            parameter_limit: 0.01,
+            parameter_limit: None,
             repeat_tolerance: 1e-12,
             corner_angle: std::f64::consts::PI,
             tolerance: 1e-12,
@@ -197,6 +197,12 @@ impl Options {
         }
     }
 
+    /// Returns the given or the automatic limit of parameters.
+    pub(crate) fn parameter_limit(&self) -> f64 {
+        let automatic = if self.joint == JointParameter::G2 { 1.0 / 12.0 } else { 0.01 };
+        self.parameter_limit.unwrap_or(automatic)
+    }
+
     /// Checks that all numbers are within their ranges.
     ///
     /// # Errors
@@ -208,8 +214,8 @@ impl Options {
             ("alpha", alpha, (0.0..=1.0).contains(&alpha), "from 0 to 1"),
             (
                 "parameter_limit",
-                self.parameter_limit,
-                (1e-3..0.5).contains(&self.parameter_limit),
+                self.parameter_limit(),
+                (1e-3..0.5).contains(&self.parameter_limit()),
                 "at least 0.001 and below 0.5",
             ),
             ("repeat_tolerance", self.repeat_tolerance, fraction(self.repeat_tolerance), "at least 0 and below 1"),

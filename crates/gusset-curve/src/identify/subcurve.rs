@@ -59,7 +59,7 @@ impl Subcurve<'_> {
 
     /// Returns the range of parameters on sections: from `parameter_limit` to 1 minus it.
     pub(super) fn section_parameter_range(&self) -> [f64; 2] {
-        [self.options.parameter_limit, 1.0 - self.options.parameter_limit]
+        [self.options.parameter_limit(), 1.0 - self.options.parameter_limit()]
     }
 
     /// Returns the control points next to ends with a tangent. They lie on the tangent at a third

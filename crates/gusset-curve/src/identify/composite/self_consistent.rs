@@ -306,7 +306,7 @@ fn parameter_on_section(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usi
 /// nearer end, which keeps the parameter continuous.
 #[inline(always)]
 pub(super) fn parameter_and_gradients(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
-    let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
+    let (low, high) = (options.parameter_limit(), 1.0 - options.parameter_limit());
     let (t, parts, alpha) = match options.method.chord_exponent() {
         Some(alpha) => {
             let parts = [u.length_squared(), v.length_squared()];
@@ -384,7 +384,7 @@ mod tests {
         }
         // At the limits, and where all points coincide.
         let options = Options::default();
-        assert_eq!(parameter_and_gradients(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
+        assert_eq!(parameter_and_gradients(&options, DVec3::ZERO, v), (options.parameter_limit(), [DVec3::ZERO; 2]));
         assert_eq!(parameter_and_gradients(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
     }
 
