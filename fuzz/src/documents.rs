@@ -77,11 +77,7 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
     for text in [false, true] {
         let Some((first, beside)) = written(&document, format, files, text) else { continue };
         let again = reread(&first, &beside, format);
-        assert_eq!(
-            document.unpack_curves.closed.is_empty(),
-            again.unpack_curves.closed.is_empty(),
-            "curves come or go"
-        );
+        assert_eq!(document.curves.closed.is_empty(), again.curves.closed.is_empty(), "curves come or go");
         if expected.is_exact {
             let is_single = document.meshes.iter().all(|mesh| matches!(mesh.positions, Positions::F32(_)));
             assert_eq!(shape(&document, is_single), shape(&again, is_single), "the mesh changes");
@@ -100,7 +96,7 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
 
 fn is_empty(document: &Document) -> bool {
     let has_points = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
-    !has_points && document.unpack_points.positions.is_empty() && document.unpack_curves.positions.is_empty()
+    !has_points && document.points.positions.is_empty() && document.curves.positions.is_empty()
 }
 
 fn reread(bytes: &[u8], files: &Files, format: Format) -> Document {
@@ -193,8 +189,8 @@ fn size(document: &Document) -> u64 {
             + mesh.properties.iter().map(|property| bytes(&property.values)).sum::<usize>()
     };
     let meshes: usize = document.meshes.iter().map(mesh_size).sum();
-    let curves = positions(&document.unpack_curves.positions) + bytes(&document.unpack_curves.offsets);
-    let points = positions(&document.unpack_points.positions) + bytes(&document.unpack_points.normals);
+    let curves = positions(&document.curves.positions) + bytes(&document.curves.offsets);
+    let points = positions(&document.points.positions) + bytes(&document.points.normals);
     let rest = bytes(&document.placements) + bytes(&document.materials) + bytes(&document.notes);
-    (meshes + curves + points + bytes(&document.unpack_points.colours) + rest) as u64
+    (meshes + curves + points + bytes(&document.points.colours) + rest) as u64
 }

@@ -59,9 +59,9 @@ pub struct Document {
     /// The scene. A mesh may occur in it several times, or not at all.
     pub placements: Vec<Placement>,
     /// All polylines, in the coordinates of the scene.
-    pub unpack_curves: Curves,
+    pub curves: Curves,
     /// All points without faces, in the coordinates of the scene.
-    pub unpack_points: PointCloud,
+    pub points: PointCloud,
     /// Materials.
     pub materials: Vec<Material>,
     /// Images of materials.

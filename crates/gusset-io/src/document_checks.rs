@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 pub(crate) fn assert_valid(document: &Document) {
     document.meshes.iter().for_each(|mesh| assert_valid_mesh(mesh, document.materials.len()));
     assert!(document.placements.iter().all(|placement| (placement.mesh as usize) < document.meshes.len()));
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     assert_offsets(&curves.offsets, curves.closed.len(), curves.positions.len());
-    let points = &document.unpack_points;
+    let points = &document.points;
     assert!([0, points.positions.len()].contains(&points.normals.len()));
     assert!([0, points.positions.len()].contains(&points.colours.len()));
     let images = document.materials.iter().filter_map(|material| material.image);

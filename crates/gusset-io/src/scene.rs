@@ -41,8 +41,8 @@ pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, h
     let has_names = document.placements.iter().any(|placement| !placement.name.is_empty());
     lost.extend(
         [
-            (!document.unpack_curves.closed.is_empty(), "curves"),
-            (!document.unpack_points.positions.is_empty(), "points beside a mesh"),
+            (!document.curves.closed.is_empty(), "curves"),
+            (!document.points.positions.is_empty(), "points beside a mesh"),
             (document.placements.len() > 1 && has_names, "names of objects"),
         ]
         .iter()
@@ -54,15 +54,15 @@ pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, h
 
 /// Returns whether the points equal the points of the curves, as readers of tables give them: a closed curve repeats its first point.
 pub(crate) fn are_points_of_curves(document: &Document) -> bool {
-    let repeated = document.unpack_curves.closed.iter().filter(|&&closed| closed).count();
-    document.unpack_curves.positions.len() + repeated == document.unpack_points.positions.len()
+    let repeated = document.curves.closed.iter().filter(|&&closed| closed).count();
+    document.curves.positions.len() + repeated == document.points.positions.len()
 }
 
 /// Lists what files that hold curves alone lose. Refuses a document without curves.
 pub(crate) fn list_lost_beside_curves(document: &Document, files: &str) -> Result<Vec<Loss>, WriteError> {
     let has_meshes = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
-    let has_points = !document.unpack_points.positions.is_empty() && !are_points_of_curves(document);
-    if document.unpack_curves.closed.is_empty() && (has_meshes || has_points) {
+    let has_points = !document.points.positions.is_empty() && !are_points_of_curves(document);
+    if document.curves.closed.is_empty() && (has_meshes || has_points) {
         let message = format!("{files} files are written from curves, and there are none");
         return Err(WriteError::new(WriteErrorKind::Unsupported, message));
     }

@@ -18,14 +18,12 @@ impl Document {
             check_index(placement.mesh, self.meshes.len(), "mesh")
                 .map_err(|message| wrong(&format!("placement {index}: {message}")))?;
         }
-        let curves = &self.unpack_curves;
+        let curves = &self.curves;
         check_offsets(&curves.offsets, curves.closed.len(), curves.positions.len())
             .map_err(|message| wrong(&format!("curves: {message}")))?;
-        let points = self.unpack_points.positions.len();
-        check_length(self.unpack_points.normals.len(), points, "normals of points")
-            .map_err(|message| wrong(&message))?;
-        check_length(self.unpack_points.colours.len(), points, "colours of points")
-            .map_err(|message| wrong(&message))?;
+        let points = self.points.positions.len();
+        check_length(self.points.normals.len(), points, "normals of points").map_err(|message| wrong(&message))?;
+        check_length(self.points.colours.len(), points, "colours of points").map_err(|message| wrong(&message))?;
         for (index, material) in self.materials.iter().enumerate() {
             let mut images = material.image.into_iter().collect::<Vec<_>>();
             if let Some(NativeMaterial::Gltf { textures, .. }) = &material.native {

@@ -66,8 +66,7 @@ impl Reading {
     pub(crate) fn mesh(&self, file: &FileName) -> Result<Piece, Failure> {
         let shown = file.shown();
         let document = self.document(file)?;
-        let only =
-            [(document.unpack_curves.closed.len(), "polyline"), (document.unpack_points.positions.len(), "point")];
+        let only = [(document.curves.closed.len(), "polyline"), (document.points.positions.len(), "point")];
         let size =
             if let FileName::Path(path) = file { std::fs::metadata(path).map_or(0, |status| status.len()) } else { 0 };
         let piece = Piece::from_document(document, &shown, size)?;
@@ -105,9 +104,9 @@ impl Reading {
     pub(crate) fn curves(&self, file: &FileName) -> Result<Curves, Failure> {
         let shown = file.shown();
         let document = self.document(file)?;
-        let ignored = [(document.unpack_points.positions.len(), "point"), (face_count(&document), "face")];
+        let ignored = [(document.points.positions.len(), "point"), (face_count(&document), "face")];
         let mut notes: Vec<String> = document.notes.into_iter().map(|note| note.text).collect();
-        if document.unpack_curves.closed.is_empty() {
+        if document.curves.closed.is_empty() {
             tell_notes(&shown, &notes);
             return Err(Failure::file(format!("{shown}: it has no polylines; the filter takes curves")));
         }
@@ -116,7 +115,7 @@ impl Reading {
             ignored.map(|(count, what)| format!("{} ignored, because polylines are needed", counted(count, what))),
         );
         tell_notes(&shown, &notes);
-        Ok(document.unpack_curves)
+        Ok(document.curves)
     }
 }
 
@@ -159,9 +158,8 @@ impl Reading {
         let shown = file.shown();
         let notes: Vec<String> = document.notes.iter().map(|note| note.text.clone()).collect();
         tell_notes(&shown, &notes);
-        let is_empty = face_count(&document) == 0
-            && document.unpack_curves.closed.is_empty()
-            && document.unpack_points.positions.is_empty();
+        let is_empty =
+            face_count(&document) == 0 && document.curves.closed.is_empty() && document.points.positions.is_empty();
         if is_empty {
             Err(Failure::file(format!("{shown}: it has no faces, polylines or points")))
         } else {
@@ -178,7 +176,7 @@ fn face_count(document: &Document) -> usize {
 pub(crate) fn main_content(document: &Document) -> Content {
     if face_count(document) > 0 {
         Content::Meshes
-    } else if document.unpack_curves.closed.is_empty() {
+    } else if document.curves.closed.is_empty() {
         Content::Points
     } else {
         Content::Curves
@@ -189,9 +187,9 @@ pub(crate) fn main_content(document: &Document) -> Content {
 pub(crate) fn describe(path: &str, document: &Document) -> serde_json::Value {
     use crate::report::{describe_curves, describe_mesh};
     match main_content(document) {
-        Content::Curves => describe_curves(path, &document.unpack_curves),
+        Content::Curves => describe_curves(path, &document.curves),
         Content::Points => {
-            serde_json::json!({ "file": path, "kind": "points", "points": document.unpack_points.positions.len() })
+            serde_json::json!({ "file": path, "kind": "points", "points": document.points.positions.len() })
         }
         Content::Meshes => {
             if let [mesh] = &document.meshes[..] {

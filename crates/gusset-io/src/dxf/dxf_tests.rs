@@ -26,7 +26,7 @@ fn notes(document: &Document) -> Vec<&str> {
 }
 
 fn outline(document: &Document, curve: usize) -> Vec<[f64; 3]> {
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     (curves.offsets[curve] as usize..curves.offsets[curve + 1] as usize)
         .map(|point| curves.positions.get(point))
         .collect()
@@ -47,7 +47,7 @@ fn lines_join_to_outlines() {
         [([0.0, 0.0], [3.0, 0.0]), ([3.0, 4.0], [3.0, 0.0]), ([0.0, 4.0], [0.0, 0.0]), ([3.0, 4.0], [0.0, 4.0 + 1e-9])];
     let text: String = sides.iter().map(|&(a, b)| line(a, b)).collect();
     let document = drawing(&text);
-    assert_eq!(document.unpack_curves.closed, [true]);
+    assert_eq!(document.curves.closed, [true]);
     assert_eq!(outline(&document, 0).len(), 4);
     assert!((area(&document, 0) - 12.0).abs() < 1e-6);
     assert_eq!(document.metres_per_unit, Some(1e-3));
@@ -56,7 +56,7 @@ fn lines_join_to_outlines() {
         drawing(&(line([1.0, 0.0], [2.0, 0.0]) + &line([0.0, 1.0], [1.0, 0.0]) + &line([2.0, 0.0], [5.0, 5.0])));
     assert_eq!(outline(&document, 0), [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [5.0, 5.0, 0.0]]);
     let star = line([0.0, 0.0], [1.0, 0.0]) + &line([0.0, 0.0], [0.0, 1.0]) + &line([0.0, 0.0], [-1.0, 0.0]);
-    assert_eq!(drawing(&star).unpack_curves.closed, [false; 3]);
+    assert_eq!(drawing(&star).curves.closed, [false; 3]);
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn curves_keep_their_area() {
         ("0 CIRCLE 10 -5 20 6 40 2 210 0 220 0 230 -1", -4.0 * PI),
     ] {
         let document = drawing(entities);
-        assert_eq!(document.unpack_curves.closed, [true], "{entities}");
+        assert_eq!(document.curves.closed, [true], "{entities}");
         let found = area(&document, 0);
         assert!((found - wanted).abs() < 1e-3, "{entities}: {found} {wanted}");
     }
@@ -114,7 +114,7 @@ fn blocks_are_inserted() {
         block,
         "0 INSERT 2 two 10 10 20 0 50 90 41 2 42 2 0 INSERT 2 none 0 CIRCLE 67 1 40 1 0 TEXT 1 a 0 TEXT 1 b",
     ));
-    assert_eq!(document.unpack_curves.closed, [true]);
+    assert_eq!(document.curves.closed, [true]);
     assert!(outline(&document, 0).iter().all(|[x, y, _]| ((x - 10.0).hypot(y - 8.0) - 2.0).abs() < 1e-9));
     assert_eq!(
         notes(&document),
@@ -125,7 +125,7 @@ fn blocks_are_inserted() {
         ]
     );
     let document = read(file(block, "0 INSERT 2 hole 70 3 71 2 44 10 45 20"));
-    assert_eq!(document.unpack_curves.closed.len(), 6);
+    assert_eq!(document.curves.closed.len(), 6);
     assert!(outline(&document, 5).iter().all(|[x, y, _]| ((x - 20.0).hypot(y - 20.0) - 1.0).abs() < 1e-9));
 }
 
@@ -152,7 +152,7 @@ fn faces_become_a_mesh() {
                     0 VERTEX 70 128 71 1 72 2 73 -3 74 4 0 VERTEX 70 128 71 1 72 2 73 9 0 SEQEND 0 POINT 10 1 20 2 30 3";
     let document = drawing(polyface);
     assert_eq!(document.meshes[0].corners, [0, 1, 2, 3]);
-    assert_eq!(document.unpack_points.positions, Positions::F64(vec![[1.0, 2.0, 3.0]]));
+    assert_eq!(document.points.positions, Positions::F64(vec![[1.0, 2.0, 3.0]]));
     assert_eq!(notes(&document), ["1 face with vertices that do not exist, left out"]);
     let vertices: String = (0..12).map(|k| format!("0 VERTEX 10 {} 20 {} ", k % 4, k / 4)).collect();
     assert!(drawing("0 POLYLINE 66 1 70 16 0 SEQEND").meshes.is_empty());
@@ -184,11 +184,11 @@ fn hostile_drawings_cost_little() {
         "0 INSERT 2 b 0 INSERT 2 a 70 1000000 71 1000000",
     );
     assert!(read_dxf(&empty, &ReadOptions::default()).is_err());
-    assert_eq!(drawing(&"0 CIRCLE 40 1e9 ".repeat(20_000)).unpack_curves.closed.len(), 20_000);
-    assert_eq!(drawing(&"0 LINE 10 1 11 2 ".repeat(100_000)).unpack_curves.closed.len(), 100_000);
+    assert_eq!(drawing(&"0 CIRCLE 40 1e9 ".repeat(20_000)).curves.closed.len(), 20_000);
+    assert_eq!(drawing(&"0 LINE 10 1 11 2 ".repeat(100_000)).curves.closed.len(), 100_000);
     let rays: String =
         (0..50_000).map(|k| line([0.0, 0.0], [f64::from(k), 1.0]) + &line([f64::from(k), 1.0], [0.5, 0.5])).collect();
-    assert_eq!(drawing(&rays).unpack_curves.closed.len(), 50_000);
+    assert_eq!(drawing(&rays).curves.closed.len(), 50_000);
     drawing(
         "0 LWPOLYLINE 10 1e308 20 -1e308 42 1e-300 10 -1e308 42 nan 10 5 42 1e300 0 ARC 40 nan 50 inf 51 1 0 CIRCLE 40 1e-300",
     );
@@ -221,8 +221,8 @@ proptest! {
         );
         mutate(&mut bytes, &changes);
         if let Ok(document) = read_dxf(&bytes, &ReadOptions::default()) {
-            prop_assert_eq!(document.unpack_curves.offsets.last().copied(), Some(document.unpack_curves.positions.len() as u32));
-            prop_assert_eq!(document.unpack_curves.offsets.len(), document.unpack_curves.closed.len() + 1);
+            prop_assert_eq!(document.curves.offsets.last().copied(), Some(document.curves.positions.len() as u32));
+            prop_assert_eq!(document.curves.offsets.len(), document.curves.closed.len() + 1);
             for mesh in &document.meshes {
                 prop_assert!(mesh.corners.iter().all(|&vertex| (vertex as usize) < mesh.positions.len()));
                 prop_assert_eq!(mesh.face_offsets.last().copied(), Some(mesh.corners.len() as u32));

@@ -51,7 +51,7 @@ pub(crate) fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Document, 
     let points = PointCloud { positions: Positions::F64(findings.points), ..PointCloud::default() };
     let document =
         findings.faces.into_mesh(options.merge_repeated)?.map_or_else(Document::default, Document::from_mesh);
-    Ok(Document { unpack_curves: join_outlines(curves)?, unpack_points: points, metres_per_unit, notes, ..document })
+    Ok(Document { curves: join_outlines(curves)?, points, metres_per_unit, notes, ..document })
 }
 
 /// Content of the file beside outlines.

@@ -21,9 +21,9 @@ pub(crate) fn write_dxf(
     target: &mut Target<'_>,
     _: &WriteOptions,
 ) -> Result<Vec<Loss>, WriteError> {
-    let has_curves = !document.unpack_curves.closed.is_empty();
+    let has_curves = !document.curves.closed.is_empty();
     let has_other_points = !has_curves || !are_points_of_curves(document);
-    let has_points = has_other_points && !document.unpack_points.positions.is_empty();
+    let has_points = has_other_points && !document.points.positions.is_empty();
     let has_meshes = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
     if has_meshes && !has_curves && !has_points {
         let message = "DXF files are written from curves and points, and there are none";
@@ -33,7 +33,7 @@ pub(crate) fn write_dxf(
     if has_meshes {
         losses.push(Loss("meshes, which are not written to DXF files".into()));
     }
-    if has_points && !(document.unpack_points.colours.is_empty() && document.unpack_points.normals.is_empty()) {
+    if has_points && !(document.points.colours.is_empty() && document.points.normals.is_empty()) {
         losses.push(Loss("colours and normals of points, which DXF files do not hold".into()));
     }
     let unit = document.metres_per_unit.and_then(number_from_metres);
@@ -44,13 +44,13 @@ pub(crate) fn write_dxf(
     out.text("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n")?;
     out.integer(unit.unwrap_or(0) as u64)?;
     out.text("\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n")?;
-    for curve in 0..document.unpack_curves.closed.len() {
+    for curve in 0..document.curves.closed.len() {
         write_polyline(document, curve, &mut out)?;
     }
     if has_points {
-        for point in 0..document.unpack_points.positions.len() {
+        for point in 0..document.points.positions.len() {
             out.text("0\nPOINT\n8\n0\n")?;
-            write_position(&document.unpack_points.positions, point, &mut out)?;
+            write_position(&document.points.positions, point, &mut out)?;
         }
     }
     out.text("0\nENDSEC\n0\nEOF\n")?;
@@ -59,7 +59,7 @@ pub(crate) fn write_dxf(
 }
 
 fn write_polyline(document: &Document, curve: usize, out: &mut TextWriter<'_>) -> io::Result<()> {
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     let range = curves.offsets[curve] as usize..curves.offsets[curve + 1] as usize;
     if range.is_empty() {
         return Ok(());

@@ -173,10 +173,7 @@ fn check_indices(document: &Document) {
         assert!(value_count(&mesh.normals, mesh));
     }
     assert!(document.placements.iter().all(|own| (own.mesh as usize) < document.meshes.len()));
-    assert_eq!(
-        document.unpack_curves.offsets.last().map(|&end| end as usize),
-        Some(document.unpack_curves.positions.len())
-    );
+    assert_eq!(document.curves.offsets.last().map(|&end| end as usize), Some(document.curves.positions.len()));
     let images = document.images.len();
     assert!(document.materials.iter().filter_map(|own| own.image).all(|image| (image as usize) < images));
 }

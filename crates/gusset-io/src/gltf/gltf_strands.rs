@@ -77,8 +77,8 @@ impl Strands {
     ) -> Result<(), ReadError> {
         budget.take_bytes_of::<([f64; 3], u32, bool)>(self.positions.len() as u64)?;
         budget.take_bytes_of::<LoosePoint>(self.points.len() as u64)?;
-        place_lines(&mut document.unpack_curves, self, transform)?;
-        place_points(&mut document.unpack_points, self, transform)
+        place_lines(&mut document.curves, self, transform)?;
+        place_points(&mut document.points, self, transform)
     }
 }
 

@@ -157,17 +157,14 @@ fn reads_strips_fans_lines_and_points() {
     assert_eq!((fan.meshes[0].face_count(), normal_sum(&fan.meshes[0])), (4, 2.0));
     let lines = document_from_mode(1, &[0, 1, 1, 3, 3, 0, 4, 5, 2], "");
     assert!(lines.meshes.is_empty() && lines.placements.is_empty());
-    assert_eq!(
-        (&lines.unpack_curves.offsets[..], &lines.unpack_curves.closed[..]),
-        (&[0, 3, 5][..], &[true, false][..])
-    );
-    assert_eq!(lines.unpack_curves.positions.get(2), [1.0, 1.0, 5.0]);
+    assert_eq!((&lines.curves.offsets[..], &lines.curves.closed[..]), (&[0, 3, 5][..], &[true, false][..]));
+    assert_eq!(lines.curves.positions.get(2), [1.0, 1.0, 5.0]);
     let looped = document_from_mode(2, &[0, 2, 3], "");
-    assert_eq!(looped.unpack_curves.closed, [true]);
+    assert_eq!(looped.curves.closed, [true]);
     let open = document_from_mode(3, &[0, 2, 3], "");
-    assert_eq!((&open.unpack_curves.closed[..], open.unpack_curves.positions.len()), (&[false][..], 3));
+    assert_eq!((&open.curves.closed[..], open.curves.positions.len()), (&[false][..], 3));
     let points = document_from_mode(0, &[5, 1], "");
-    assert_eq!(points.unpack_points.positions, Positions::F64(vec![[2.0, 1.0, 5.0], [0.0, 1.0, 5.0]]));
+    assert_eq!(points.points.positions, Positions::F64(vec![[2.0, 1.0, 5.0], [0.0, 1.0, 5.0]]));
 }
 
 #[test]

@@ -181,15 +181,14 @@ fn keeps_scenes_names_and_transforms() {
 #[test]
 fn keeps_curves_and_points() {
     let mut document = Document::default();
-    document.unpack_curves.positions =
-        Positions::F64((0..9).map(|k| [f64::from(k), 0.5 * f64::from(k * k), 1e7]).collect());
-    document.unpack_curves.offsets = vec![0, 3, 7, 9];
-    document.unpack_curves.closed = vec![true, false, false];
-    document.unpack_points.positions = Positions::F64(vec![[0.5, 1.0, 2.0], [3.0, 4.0, 5.0]]);
-    document.unpack_points.normals = vec![[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
-    document.unpack_points.colours = vec![[1.0, 0.0, 0.2, 1.0], [0.0, 1.0, 0.6, 0.5]];
+    document.curves.positions = Positions::F64((0..9).map(|k| [f64::from(k), 0.5 * f64::from(k * k), 1e7]).collect());
+    document.curves.offsets = vec![0, 3, 7, 9];
+    document.curves.closed = vec![true, false, false];
+    document.points.positions = Positions::F64(vec![[0.5, 1.0, 2.0], [3.0, 4.0, 5.0]]);
+    document.points.normals = vec![[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+    document.points.colours = vec![[1.0, 0.0, 0.2, 1.0], [0.0, 1.0, 0.6, 0.5]];
     let again = returned(&document);
-    assert_eq!((again.unpack_curves, again.unpack_points), (document.unpack_curves, document.unpack_points));
+    assert_eq!((again.curves, again.points), (document.curves, document.points));
 }
 
 #[test]

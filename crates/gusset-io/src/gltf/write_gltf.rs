@@ -127,7 +127,7 @@ impl<'d> SceneWriter<'d> {
             }
             alloc::check_reserve()?;
         }
-        let (curves, points) = (&self.document.unpack_curves, &self.document.unpack_points);
+        let (curves, points) = (&self.document.curves, &self.document.points);
         for (name, made) in [
             ("curves", write_curves(curves, &mut self.binary, &mut lost)?),
             ("points", write_points(points, &mut self.binary, &mut lost)?),

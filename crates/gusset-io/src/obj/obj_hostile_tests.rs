@@ -16,7 +16,7 @@ fn read_and_write(bytes: &[u8]) {
     let back = read_obj(&main, &NoResources, &ReadOptions::default()).expect("the written file is valid");
     let faces = |document: &Document| document.meshes.iter().map(crate::mesh::Mesh::face_count).sum::<usize>();
     assert_eq!(faces(&back), faces(&document));
-    assert_eq!(back.unpack_curves.closed, document.unpack_curves.closed);
+    assert_eq!(back.curves.closed, document.curves.closed);
 }
 
 const VALID: &str = "mtllib a.mtl\no part\nv 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nv 1 1 1e3\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 1 0 0\n\

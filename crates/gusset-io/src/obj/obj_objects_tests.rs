@@ -39,7 +39,7 @@ fn objects_with_vertices_of_their_own_are_meshes() {
     assert_eq!(document.meshes[2].face_materials, [1, 1]);
     let has_normals: Vec<_> = document.meshes.iter().map(|mesh| !mesh.normals.is_absent()).collect();
     assert_eq!(has_normals, [false, true, false]);
-    assert_eq!(document.unpack_curves.positions.get(0), [6.0; 3]);
+    assert_eq!(document.curves.positions.get(0), [6.0; 3]);
     assert!(!notes(&document).iter().any(|note| note.starts_with("names of")));
 }
 

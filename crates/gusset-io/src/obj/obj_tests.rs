@@ -183,7 +183,7 @@ fn vertices_have_colours_of_two_scales() {
 #[test]
 fn lines_become_curves() {
     let document = read("v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nl 1 2 3 4 1\nl 2/1 -1/2\nl 3\n");
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     assert_eq!((&curves.offsets[..], &curves.closed[..]), (&[0, 4, 6][..], &[true, false][..]));
     assert_eq!(curves.positions.get(4), [8.0, 0.0, 0.0]);
     assert_eq!(curves.positions.get(5), [0.0, 8.0, 0.0]);
@@ -197,22 +197,22 @@ fn vertices_of_lines_behind_the_mesh_are_no_part_of_it() {
     let mesh = &document.meshes[0];
     // Vertex 3 belongs to nothing, so that it stays.
     assert_eq!((mesh.positions.len(), mesh.vertex_colours.len()), (4, 4));
-    assert_eq!(document.unpack_curves.positions.iter().map(|p| p[0]).collect::<Vec<_>>(), [0.0, 6.0, 7.0]);
-    assert_eq!(document.unpack_points.positions.iter().map(|p| p[0]).collect::<Vec<_>>(), [7.0, 1.0]);
-    assert_eq!(document.unpack_points.colours, [[1.0, 0.0, 0.0, 1.0], [1.0; 4]]);
+    assert_eq!(document.curves.positions.iter().map(|p| p[0]).collect::<Vec<_>>(), [0.0, 6.0, 7.0]);
+    assert_eq!(document.points.positions.iter().map(|p| p[0]).collect::<Vec<_>>(), [7.0, 1.0]);
+    assert_eq!(document.points.colours, [[1.0, 0.0, 0.0, 1.0], [1.0; 4]]);
 }
 
 #[test]
 fn vertices_alone_are_points() {
     let document = read("vn 0 0 1\nv 1 2 3\nvn 1 0 0\nv 4 5 6\n");
     assert!(document.meshes.is_empty());
-    assert_eq!(document.unpack_points.positions.get(1), [4.0, 5.0, 6.0]);
-    assert_eq!(document.unpack_points.normals, [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]);
+    assert_eq!(document.points.positions.get(1), [4.0, 5.0, 6.0]);
+    assert_eq!(document.points.normals, [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]);
     assert!(notes(&document)[0].contains("read as points"));
     let document = read("vn 0 0 1\nv 1 2 3\nv 4 5 6\np 1 2\n");
-    assert!(document.unpack_points.normals.is_empty() && document.notes.is_empty());
+    assert!(document.points.normals.is_empty() && document.notes.is_empty());
     for text in ["", "# nothing\n", "\n\n", "o empty\n"] {
-        assert!(read(text).unpack_points.positions.is_empty(), "{text}");
+        assert!(read(text).points.positions.is_empty(), "{text}");
     }
 }
 
@@ -221,7 +221,7 @@ fn free_forms_are_noted() {
     let document = read(
         "v 0 0 0\nv 1 0 0\nv 2 1 0 0.5\nvp 0 1\ncstype bspline\ndeg 2\ncurv 0 1 1 2 3\nparm u 0 0 0 1 1 1\nend\ncall other.obj\nxyzzy 1\n",
     );
-    assert!(document.unpack_points.positions.is_empty());
+    assert!(document.points.positions.is_empty());
     let notes = notes(&document).join("; ");
     for text in ["1 free-form curve or surface", "not followed", "\"xyzzy\"", "weights"] {
         assert!(notes.contains(text), "{notes}");

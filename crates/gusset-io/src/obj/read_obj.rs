@@ -57,8 +57,8 @@ pub(super) fn document_from_content(
         drop_element_vertices(&mut content)?;
         document_from_faces(content, materials.faces, is_split)?
     };
-    document.unpack_curves = curves;
-    document.unpack_points = points;
+    document.curves = curves;
+    document.points = points;
     document.materials = materials.materials;
     document.images = materials.images;
     document.notes = notes;

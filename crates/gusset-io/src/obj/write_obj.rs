@@ -39,12 +39,12 @@ pub(crate) fn write_obj(
     if let Some(library) = library {
         writer.write_line("mtllib", &library)?;
     }
-    let is_cloud = document.placements.is_empty() && document.unpack_curves.closed.is_empty();
+    let is_cloud = document.placements.is_empty() && document.curves.closed.is_empty();
     for (number, placement) in document.placements.iter().enumerate() {
         writer.write_object(document, placement, number)?;
     }
     writer.write_curves(document)?;
-    writer.write_points(&document.unpack_points, is_cloud)?;
+    writer.write_points(&document.points, is_cloud)?;
     writer.text.finish()?;
     add_losses(document, is_cloud, &mut losses);
     Ok(losses)
@@ -60,15 +60,14 @@ fn add_losses(document: &Document, is_cloud: bool, losses: &mut Vec<Loss>) {
     let has_opacity = |colours: &[[f32; 4]]| colours.iter().any(|colour| colour[3] != 1.0);
     let placed = || document.placements.iter().map(|placement| &document.meshes[placement.mesh as usize]);
     add(placed().any(|mesh| !mesh.face_colours.is_empty()), "colours of faces, which OBJ files do not hold".into());
-    let opacity =
-        placed().any(|mesh| has_opacity(&mesh.vertex_colours)) || has_opacity(&document.unpack_points.colours);
+    let opacity = placed().any(|mesh| has_opacity(&mesh.vertex_colours)) || has_opacity(&document.points.colours);
     add(opacity, "the opacity of vertices, which OBJ files do not hold".into());
     add(placed().any(has_split_colours), "colours that differ at one vertex, which OBJ files do not hold".into());
     for property in placed().flat_map(|mesh| &mesh.properties) {
         let domain = if property.domain == Domain::Vertices { "vertices" } else { "faces" };
         add(true, format!("{} of {domain}, which PLY files alone hold", property.name));
     }
-    let has_normals = !document.unpack_points.normals.is_empty() && !is_cloud;
+    let has_normals = !document.points.normals.is_empty() && !is_cloud;
     add(has_normals, "normals of points, which OBJ files hold only without meshes and curves".into());
 }
 
@@ -231,7 +230,7 @@ impl ObjWriter<'_, '_> {
     }
 
     fn write_curves(&mut self, document: &Document) -> io::Result<()> {
-        let curves = &document.unpack_curves;
+        let curves = &document.curves;
         let start = self.vertices + 1;
         for point in 0..curves.positions.len() {
             self.write_vertex(&curves.positions, point, None)?;

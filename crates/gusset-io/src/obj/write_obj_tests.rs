@@ -127,12 +127,12 @@ fn placements_become_objects() {
 #[test]
 fn curves_and_points_follow_the_mesh() {
     let document = Document {
-        unpack_curves: Curves {
+        curves: Curves {
             positions: Positions::F64(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [5.0; 3], [6.0; 3]]),
             offsets: vec![0, 3, 3, 5],
             closed: vec![true, false, false],
         },
-        unpack_points: PointCloud {
+        points: PointCloud {
             positions: Positions::F64(vec![[7.0; 3]]),
             normals: vec![[0.0, 0.0, 1.0]],
             colours: vec![[1.0, 0.0, 0.0, 1.0]],
@@ -144,13 +144,13 @@ fn curves_and_points_follow_the_mesh() {
     assert_eq!(losses, ["normals of points, which OBJ files hold only without meshes and curves"]);
     let back = read(&text);
     assert_eq!(back.meshes[0].positions.len(), 3);
-    assert_eq!(back.unpack_curves.positions, document.unpack_curves.positions);
-    assert_eq!((back.unpack_curves.offsets, back.unpack_curves.closed), (vec![0, 3, 5], vec![true, false]));
-    assert_eq!(back.unpack_points.colours, document.unpack_points.colours);
-    let cloud = Document { unpack_points: document.unpack_points, ..Document::default() };
+    assert_eq!(back.curves.positions, document.curves.positions);
+    assert_eq!((back.curves.offsets, back.curves.closed), (vec![0, 3, 5], vec![true, false]));
+    assert_eq!(back.points.colours, document.points.colours);
+    let cloud = Document { points: document.points, ..Document::default() };
     let (text, _, losses) = written(&cloud);
     assert!(losses.is_empty());
-    assert_eq!(read(&text).unpack_points, cloud.unpack_points);
+    assert_eq!(read(&text).points, cloud.points);
 }
 
 #[test]

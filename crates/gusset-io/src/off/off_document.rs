@@ -11,5 +11,5 @@ pub(super) fn document_from_mesh(mesh: Mesh, notes: Vec<Note>) -> Document {
     }
     let normals = if let Values::Vertices(normals) = mesh.normals { normals } else { Vec::new() };
     let points = PointCloud { positions: mesh.positions, normals, colours: mesh.vertex_colours };
-    Document { unpack_points: points, notes, ..Document::default() }
+    Document { points, notes, ..Document::default() }
 }

@@ -96,8 +96,8 @@ fn deviations_are_noted() {
 fn points_without_faces_are_points() {
     let document = read("COFF\n2 0 0\n0 0 0 255 0 0\n1 2 3 0 0 255\n");
     assert!(document.meshes.is_empty());
-    assert_eq!(document.unpack_points.positions, Positions::F64(vec![[0.0; 3], [1.0, 2.0, 3.0]]));
-    assert_eq!(document.unpack_points.colours, [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]]);
+    assert_eq!(document.points.positions, Positions::F64(vec![[0.0; 3], [1.0, 2.0, 3.0]]));
+    assert_eq!(document.points.colours, [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]]);
     let (text, losses) = write(&document);
     assert_eq!(text, "COFF\n2 0 0\n0 0 0 255 0 0 255\n1 2 3 0 0 255 255\n");
     assert_eq!(losses, [""; 0]);
@@ -223,7 +223,7 @@ proptest! {
         mutate(&mut bytes, &changes);
         if let Ok(document) = read_off(&bytes, &ReadOptions::default()) {
             prop_assert!(document.meshes.iter().all(is_valid));
-            prop_assert!([0, document.unpack_points.positions.len()].contains(&document.unpack_points.colours.len()));
+            prop_assert!([0, document.points.positions.len()].contains(&document.points.colours.len()));
         }
     }
 }

@@ -37,9 +37,9 @@ pub(crate) fn write_off(
         }
     }
     let mut out = TextWriter::new(target.main_file)?;
-    if mesh.positions.is_empty() && !document.unpack_points.positions.is_empty() {
+    if mesh.positions.is_empty() && !document.points.positions.is_empty() {
         losses.retain(|Loss(text)| !text.starts_with("points beside"));
-        write_mesh(&mesh_from_points(&document.unpack_points)?, &mut out)?;
+        write_mesh(&mesh_from_points(&document.points)?, &mut out)?;
     } else {
         write_mesh(mesh, &mut out)?;
     }

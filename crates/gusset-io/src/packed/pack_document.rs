@@ -26,9 +26,9 @@ pub fn pack(document: &Document) -> Result<Packed, ReadError> {
         let transforms = alloc::collect(document.placements.iter().map(|placement| placement.transform))?;
         packer.write_array("transforms", "f64", 12, &transforms)?;
         packer.write_key("curves")?;
-        packer.pack_curves(&document.unpack_curves)?;
+        packer.pack_curves(&document.curves)?;
         packer.write_key("points")?;
-        packer.pack_points(&document.unpack_points)?;
+        packer.pack_points(&document.points)?;
         packer.write_list("materials", &document.materials, Packer::pack_material)?;
         packer.write_list("images", &document.images, Packer::pack_image)?;
         packer.write_optional_number("metres_per_unit", document.metres_per_unit)?;

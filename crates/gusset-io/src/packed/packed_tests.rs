@@ -31,12 +31,8 @@ fn rich() -> Document {
             mesh: 0,
             transform: [[1.0 / 3.0, 0.0, 0.0, 1e17], [0.0, 1.0, 0.0, 0.1], [0.0, 0.0, 1.0, 0.0]],
         }],
-        unpack_curves: Curves {
-            positions: Positions::F64(vec![[0.1; 3], [0.2; 3]]),
-            offsets: vec![0, 2],
-            closed: vec![true],
-        },
-        unpack_points: PointCloud {
+        curves: Curves { positions: Positions::F64(vec![[0.1; 3], [0.2; 3]]), offsets: vec![0, 2], closed: vec![true] },
+        points: PointCloud {
             positions: Positions::F64(vec![[5.0; 3]]),
             normals: vec![[0.0, 1.0, 0.0]],
             colours: vec![[0.0; 4]],
@@ -118,7 +114,7 @@ fn each_broken_rule_is_refused() {
         "mesh 0: face 1, corner 1: vertex 17 does not exist (the mesh has 4)"
     );
     assert!(broken(|d| d.meshes[0].face_offsets[1] = 2).contains("face 0 has 2 corners"));
-    assert!(broken(|d| d.meshes[0].face_offsets[1] = 9).contains("less than the one before"));
+    assert!(broken(|d| d.meshes[0].face_offsets[1] = 9).contains("offset 2 is less than the previous one"));
     assert!(broken(|d| d.meshes[0].face_offsets[0] = 1).contains("instead of 0 to 7"));
     assert!(broken(|d| d.meshes[0].merge[3] = 4).contains("representative 4 does not exist"));
     assert!(broken(|d| d.meshes[0].merge = vec![1, 2, 2, 3]).contains("does not represent itself"));
@@ -129,6 +125,6 @@ fn each_broken_rule_is_refused() {
     assert!(broken(|d| d.meshes[0].properties[0].values.truncate(1)).contains("property quality"));
     assert!(broken(|d| d.placements[0].mesh = 1).contains("placement 0: mesh 1"));
     assert!(broken(|d| d.materials[1].image = Some(2)).contains("material 1: image 2"));
-    assert!(broken(|d| d.unpack_curves.closed.push(false)).contains("curves: 2 offsets instead of 3"));
-    assert!(broken(|d| d.unpack_points.normals.push([0.0; 3])).contains("normals of points"));
+    assert!(broken(|d| d.curves.closed.push(false)).contains("curves: 2 offsets instead of 3"));
+    assert!(broken(|d| d.points.normals.push([0.0; 3])).contains("normals of points"));
 }

@@ -69,10 +69,10 @@ impl PackedArrays<'_> {
     fn unpack_document(&self, root: Value<'_>) -> Result<Document, ReadError> {
         let mut document = Document {
             meshes: list(root, "meshes", |mesh| self.unpack_mesh(mesh))?,
-            unpack_curves: root.get("curves").map_or_else(|| Ok(Curves::default()), |curves| self.curves(curves))?,
-            unpack_points: root
+            curves: root.get("curves").map_or_else(|| Ok(Curves::default()), |curves| self.unpack_curves(curves))?,
+            points: root
                 .get("points")
-                .map_or_else(|| Ok(PointCloud::default()), |points| self.points(points))?,
+                .map_or_else(|| Ok(PointCloud::default()), |points| self.unpack_points(points))?,
             materials: list(root, "materials", material)?,
             images: list(root, "images", |image| self.unpack_image(image))?,
             metres_per_unit: root.get("metres_per_unit").and_then(Value::number),
@@ -168,7 +168,7 @@ impl PackedArrays<'_> {
         })
     }
 
-    fn curves(&self, value: Value<'_>) -> Result<Curves, ReadError> {
+    fn unpack_curves(&self, value: Value<'_>) -> Result<Curves, ReadError> {
         let closed: Vec<u8> = self.unpack_numbers(value.get("closed"), "u8", "closed")?;
         Ok(Curves {
             positions: self.unpack_positions(value.get("positions"), "positions of curves")?,
@@ -177,7 +177,7 @@ impl PackedArrays<'_> {
         })
     }
 
-    fn points(&self, value: Value<'_>) -> Result<PointCloud, ReadError> {
+    fn unpack_points(&self, value: Value<'_>) -> Result<PointCloud, ReadError> {
         Ok(PointCloud {
             positions: self.unpack_positions(value.get("positions"), "positions of points")?,
             normals: self.unpack_array(value.get("normals"), "f64", "normals of points")?,

@@ -117,13 +117,13 @@ fn claims_of_hostile_headers_cost_nothing() {
     // Many elements of one name, and many names.
     let many: String = (0..20_000).map(|k| format!("element vertex 1\n{XYZ}property char p{k}\n")).collect();
     let rows = "0 0 0 1\n".repeat(20_000);
-    assert_eq!(read(encoded(&many, &rows, "ascii")).unpack_points.positions.len(), 20_000);
+    assert_eq!(read(encoded(&many, &rows, "ascii")).points.positions.len(), 20_000);
     let names: String = (0..100_000).map(|k| format!("element e{k} 1\n")).collect();
     assert!(read(encoded(&names, "", "ascii")).notes.len() < 20);
     let columns: String = (0..50_000).map(|k| format!("property char p{k}\n")).collect();
     let lines = format!("element vertex 1\n{XYZ}{columns}element vertex 1\n{XYZ}{columns}");
     let rows = ("0 0 0".to_owned() + &" 1".repeat(50_000) + "\n").repeat(2);
-    assert_eq!(read(encoded(&lines, &rows, "ascii")).unpack_points.positions.len(), 2);
+    assert_eq!(read(encoded(&lines, &rows, "ascii")).points.positions.len(), 2);
     assert!(begun.elapsed().as_secs() < 60);
 }
 

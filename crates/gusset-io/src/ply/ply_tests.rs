@@ -233,7 +233,7 @@ fn colours_have_several_forms() {
         let lines: String = names.split(' ').map(|name| format!("property {kind} {name}\n")).collect();
         let lines = format!("element vertex 2\n{XYZ}{lines}");
         let document = read_all(&lines, rows);
-        (document.unpack_points.colours.clone(), document.notes.len())
+        (document.points.colours.clone(), document.notes.len())
     };
     let half = 128.0 / 255.0;
     let expected = (vec![[1.0, 0.0, half, 1.0], [0.0, 0.0, 0.0, 1.0]], 0);
@@ -250,7 +250,7 @@ fn colours_have_several_forms() {
         "0 0 0 nan inf 0",
         "ascii",
     );
-    assert_eq!(read(nan).unpack_points.colours, [[0.0, 1.0, 0.0, 1.0]]);
+    assert_eq!(read(nan).points.colours, [[0.0, 1.0, 0.0, 1.0]]);
 }
 
 #[test]
@@ -260,15 +260,15 @@ fn files_without_faces_are_points() {
         property float intensity\nelement face 0\nproperty list uchar int vertex_indices\n";
     let document = read_all(lines, "1 2 3 0 0 1 255 0 0 9 4 5 6 0 1 0 0 0 255 9");
     assert!(document.meshes.is_empty() && document.placements.is_empty());
-    assert_eq!(document.unpack_points.positions, Positions::F32(vec![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]));
-    assert_eq!(document.unpack_points.normals, [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(document.points.positions, Positions::F32(vec![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]));
+    assert_eq!(document.points.normals, [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
     assert_eq!(note_texts(&document), ["points keep only normals and colours, not intensity"]);
     let (back, losses) = again(&document);
-    assert_eq!((back.unpack_points, losses), (document.unpack_points, Vec::new()));
+    assert_eq!((back.points, losses), (document.points, Vec::new()));
     assert_eq!(read("ply\nformat ascii 1.0\nend_header\n"), Document::default());
     // Two corners are not a face.
     let document = read_all(&header(2, 2), "0 0 0 1 0 0 2 0 1 0");
-    assert_eq!((document.unpack_points.positions.len(), document.meshes.len()), (2, 0));
+    assert_eq!((document.points.positions.len(), document.meshes.len()), (2, 0));
     assert_eq!(note_texts(&document), ["2 faces with fewer than 3 corners are left out"]);
 }
 
@@ -312,7 +312,7 @@ fn range_images_become_meshes() {
     assert!(error.message.ends_with("vertex 999 does not exist (the mesh has 106)"), "{error}");
     let (lines, rows, _) = range_image(9, 12, false);
     let document = read_all(&lines, &rows);
-    assert_eq!(document.unpack_points.positions.len(), 106);
+    assert_eq!(document.points.positions.len(), 106);
     assert!(note_texts(&document)[0].contains("num_cols"));
     // Places that the scanner marks by NaN.
     let lines = format!("obj_info num_cols 2\nobj_info num_rows 2\nelement vertex 4\n{XYZ}element range_grid 4\n")
@@ -450,9 +450,9 @@ fn materials_and_curves_are_lost() {
     let mut document = read_all(&header(3, 1), "0 0 0 1 0 0 0 1 0 3 0 1 2");
     document.materials = vec![crate::Material::default()];
     document.meshes[0].face_materials = vec![0];
-    document.unpack_curves.offsets.push(0);
-    document.unpack_curves.closed.push(true);
-    document.unpack_points.positions = Positions::F32(vec![[0.0; 3]]);
+    document.curves.offsets.push(0);
+    document.curves.closed.push(true);
+    document.points.positions = Positions::F32(vec![[0.0; 3]]);
     let (_, losses) = again(&document);
     let texts: Vec<&str> = losses.iter().map(|loss| &loss.0[..]).collect();
     assert_eq!(

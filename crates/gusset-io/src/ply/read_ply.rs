@@ -249,7 +249,7 @@ fn points_document(mesh: Mesh, mut notes: Vec<Note>) -> Result<Document, ReadErr
     }
     let normals = if let Values::Vertices(normals) = mesh.normals { normals } else { Vec::new() };
     let points = PointCloud { positions: mesh.positions, normals, colours: mesh.vertex_colours };
-    Ok(Document { unpack_points: points, notes, ..Document::default() })
+    Ok(Document { points, notes, ..Document::default() })
 }
 
 fn elements_with<'a>(

@@ -38,13 +38,13 @@ pub(crate) fn write_ply(
         losses.add_if(faces.textures.loses_materials, "materials, which PLY files do not hold");
         write_file(&vertices, Some(&faces), target, options)?;
     } else {
-        let vertices = VertexLayout::from_points(&document.unpack_points);
+        let vertices = VertexLayout::from_points(&document.points);
         losses.add_colours(&[&vertices.colours]);
         write_file(&vertices, None, target, options)?;
     }
     let points = "points beside a mesh, which PLY files do not hold";
-    losses.add_if(has_mesh && !document.unpack_points.positions.is_empty(), points);
-    losses.add_if(!document.unpack_curves.closed.is_empty(), "curves, which PLY files do not hold");
+    losses.add_if(has_mesh && !document.points.positions.is_empty(), points);
+    losses.add_if(!document.curves.closed.is_empty(), "curves, which PLY files do not hold");
     let has_names = document.placements.iter().any(|placement| !placement.name.is_empty());
     losses.add_if(document.placements.len() > 1 && has_names, "names of objects, which PLY files do not hold");
     Ok(losses.0)

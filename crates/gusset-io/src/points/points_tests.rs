@@ -16,12 +16,12 @@ fn notes(document: &Document) -> Vec<&str> {
 }
 
 fn points(document: &Document) -> Vec<[f64; 3]> {
-    document.unpack_points.positions.iter().collect()
+    document.points.positions.iter().collect()
 }
 
 /// Lengths of curves, negative if they are closed.
 fn curves(document: &Document) -> Vec<i64> {
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     let length = |curve: usize| i64::from(curves.offsets[curve + 1] - curves.offsets[curve]);
     (0..curves.closed.len()).map(|curve| if curves.closed[curve] { -length(curve) } else { length(curve) }).collect()
 }
@@ -72,7 +72,7 @@ fn polylines_are_separated() {
         let text = format!("{}\n{separator}{}\n", rows[..4].join("\n"), rows[4..].join("\n"));
         let document = read(&text);
         assert_eq!(curves(&document), [-3, 2], "{text}");
-        assert_eq!(document.unpack_points.positions.len(), 6);
+        assert_eq!(document.points.positions.len(), 6);
     }
     for text in [
         "path,x,y\n0,0,0\n0,1,0\n0,1,1\n0,0,0\n1,5,5\n1,6,5\n",
@@ -91,20 +91,20 @@ fn polylines_are_separated() {
 #[test]
 fn colours_and_normals_are_recognised() {
     let document = read("0 0 0 255 0 0\n1 1 1 0 0 51\n");
-    assert_eq!(document.unpack_points.colours, [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.2, 1.0]]);
+    assert_eq!(document.points.colours, [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.2, 1.0]]);
     let document = read("0 0 0 0.6 0 0.8\n1 1 1 0 0 1\n");
-    assert_eq!(document.unpack_points.normals, [[f64::from(0.6_f32), 0.0, f64::from(0.8_f32)], [0.0, 0.0, 1.0]]);
-    assert!(document.unpack_points.colours.is_empty());
+    assert_eq!(document.points.normals, [[f64::from(0.6_f32), 0.0, f64::from(0.8_f32)], [0.0, 0.0, 1.0]]);
+    assert!(document.points.colours.is_empty());
     let document = read("0 0 0 17 0 0 51\n1 1 1 18 0 0 255\n");
-    assert_eq!(document.unpack_points.colours[0], [0.0, 0.0, 0.2, 1.0]);
+    assert_eq!(document.points.colours[0], [0.0, 0.0, 0.2, 1.0]);
     let document = read("0 0 0 255 0 0 0 0 1\n1 1 1 0 0 255 0 1 0\n");
-    assert_eq!((document.unpack_points.colours.len(), document.unpack_points.normals[1]), (2, [0.0, 1.0, 0.0]));
+    assert_eq!((document.points.colours.len(), document.points.normals[1]), (2, [0.0, 1.0, 0.0]));
     let document = read("0 0 0 5.5 7 8\n1 1 1 0 0 255\n");
-    assert!(document.unpack_points.colours.is_empty() && document.unpack_points.normals.is_empty());
+    assert!(document.points.colours.is_empty() && document.points.normals.is_empty());
     assert_eq!(notes(&document), ["3 columns beside coordinates, colours and normals left out"]);
     let document = read("x,y,z,nx,ny,nz,red,green,blue,alpha\n0,0,0,0,0,2,0.5,0,0,.25\n1,1,1,0,0,1,0,0,1,1\n");
-    assert_eq!(document.unpack_points.colours[0], [0.5, 0.0, 0.0, 0.25]);
-    assert_eq!(document.unpack_points.normals[0], [0.0, 0.0, 2.0]);
+    assert_eq!(document.points.colours[0], [0.5, 0.0, 0.0, 0.25]);
+    assert_eq!(document.points.normals[0], [0.0, 0.0, 2.0]);
 }
 
 #[test]
@@ -147,20 +147,20 @@ fn tables_come_back_as_they_were() {
         "curve,x,y,z\n0,0.1,2,3\n0,4,5,6\n1,7,8,9\n1,0,0,0\n1,1,1,1\n1,7,8,9\n"
     );
     let mut document = read(texts[1]);
-    document.unpack_points.colours[0][3] = 0.25;
+    document.points.colours[0][3] = 0.25;
     assert_eq!(write(&document, Format::Xyz).1, ["the opacity of points, which XYZ files do not hold"]);
-    assert_eq!(read(write(&document, Format::Csv).0).unpack_points.colours[0], [1.0, 0.0, 0.0, 0.25]);
+    assert_eq!(read(write(&document, Format::Csv).0).points.colours[0], [1.0, 0.0, 0.0, 0.25]);
 }
 
 #[test]
 fn other_content_is_lost_or_refused() {
     let mut document = Document::from_mesh(mesh_from_faces(&[[0.0; 3]; 3], &[&[0, 1, 2]]));
     assert!(write_to_bytes(&document, Format::Csv, &WriteOptions::default()).is_err());
-    document.unpack_curves = read("0 0\n1 1\n").unpack_curves;
-    document.unpack_points.positions = Positions::F32(vec![[0.1, 0.2, 0.3]]);
+    document.curves = read("0 0\n1 1\n").curves;
+    document.points.positions = Positions::F32(vec![[0.1, 0.2, 0.3]]);
     let losses = ["meshes, which CSV files do not hold", "points beside curves, which CSV files do not hold"];
     assert_eq!(write(&document, Format::Csv), ("x,y,z\n0,0,0\n1,1,0\n".into(), losses.map(String::from).to_vec()));
-    document.unpack_curves = crate::Curves::default();
+    document.curves = crate::Curves::default();
     assert_eq!(write(&document, Format::Csv).0, "x,y,z\n0.1,0.2,0.3\n");
 }
 
@@ -174,12 +174,12 @@ proptest! {
         ][kind].to_vec();
         mutate(&mut bytes, &changes);
         if let Ok(document) = read_xyz(&bytes, &ReadOptions::default()) {
-            let count = document.unpack_points.positions.len();
-            prop_assert!([0, count].contains(&document.unpack_points.colours.len()));
-            prop_assert!([0, count].contains(&document.unpack_points.normals.len()));
-            prop_assert_eq!(document.unpack_curves.offsets.last().copied(), Some(document.unpack_curves.positions.len() as u32));
-            prop_assert_eq!(document.unpack_curves.offsets.len(), document.unpack_curves.closed.len() + 1);
-            prop_assert!(document.unpack_curves.offsets.is_sorted());
+            let count = document.points.positions.len();
+            prop_assert!([0, count].contains(&document.points.colours.len()));
+            prop_assert!([0, count].contains(&document.points.normals.len()));
+            prop_assert_eq!(document.curves.offsets.last().copied(), Some(document.curves.positions.len() as u32));
+            prop_assert_eq!(document.curves.offsets.len(), document.curves.closed.len() + 1);
+            prop_assert!(document.curves.offsets.is_sorted());
         }
     }
 }

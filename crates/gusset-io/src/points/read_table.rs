@@ -207,7 +207,7 @@ impl<'a> TableReader<'a> {
         let curves = self.curves()?;
         let points =
             PointCloud { positions: Positions::F64(self.points), normals: self.normals, colours: self.colours };
-        Ok(Document { unpack_points: points, unpack_curves: curves, notes: self.notes, ..Document::default() })
+        Ok(Document { points, curves, notes: self.notes, ..Document::default() })
     }
 
     fn note_unread_columns(&mut self, layout: &TableLayout) {

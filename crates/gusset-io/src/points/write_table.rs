@@ -27,8 +27,8 @@ pub(crate) fn write_csv(
 
 fn write_table(document: &Document, target: &mut Target<'_>, separator: u8) -> Result<Vec<Loss>, WriteError> {
     let files = if separator == b',' { "CSV" } else { "XYZ" };
-    let has_curves = !document.unpack_curves.closed.is_empty();
-    let has_points = !document.unpack_points.positions.is_empty();
+    let has_curves = !document.curves.closed.is_empty();
+    let has_points = !document.points.positions.is_empty();
     let has_meshes = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
     if has_meshes && !has_curves && !has_points {
         return Err(WriteError::new(
@@ -47,13 +47,13 @@ fn write_table(document: &Document, target: &mut Target<'_>, separator: u8) -> R
     } else if has_points {
         losses.push(Loss(format!("points beside curves, which {files} files do not hold")));
     }
-    table.columns.has_groups = separator == b',' && document.unpack_curves.closed.len() > 1;
+    table.columns.has_groups = separator == b',' && document.curves.closed.len() > 1;
     table.write_header()?;
     if has_curves {
         table.write_curves(are_points_of_curves)?;
     } else {
-        (0..document.unpack_points.positions.len())
-            .try_for_each(|point| table.write_row(0, &document.unpack_points.positions, point))?;
+        (0..document.points.positions.len())
+            .try_for_each(|point| table.write_row(0, &document.points.positions, point))?;
     }
     table.out.finish()?;
     Ok(losses)
@@ -71,7 +71,7 @@ struct Columns {
 
 impl Columns {
     fn from_document(document: &Document, separator: u8, losses: &mut Vec<Loss>) -> Self {
-        let colours = &document.unpack_points.colours;
+        let colours = &document.points.colours;
         let is_table = separator == b',';
         let is_transparent = has_transparency(colours);
         let are_exact = are_colours_exact_as_bytes(colours, is_table && is_transparent);
@@ -83,7 +83,7 @@ impl Columns {
         }
         Self {
             has_groups: false,
-            has_normals: !document.unpack_points.normals.is_empty(),
+            has_normals: !document.points.normals.is_empty(),
             has_colours: !colours.is_empty(),
             has_opacity: is_table && is_transparent,
             are_colours_bytes: are_exact || !is_table,
@@ -122,7 +122,7 @@ impl Table<'_, '_> {
     /// Writes the curves. Takes their points with colours and normals from the document's points if they are the same.
     fn write_curves(&mut self, are_points_of_curves: bool) -> std::io::Result<()> {
         let document = self.document;
-        let curves = &document.unpack_curves;
+        let curves = &document.curves;
         let mut row = 0;
         for (curve, &is_closed) in curves.closed.iter().enumerate() {
             let (start, end) = (curves.offsets[curve] as usize, curves.offsets[curve + 1] as usize);
@@ -131,7 +131,7 @@ impl Table<'_, '_> {
             }
             for point in (start..end).chain((is_closed && start < end).then_some(start)) {
                 if are_points_of_curves {
-                    self.write_row(curve, &document.unpack_points.positions, row)?;
+                    self.write_row(curve, &document.points.positions, row)?;
                 } else {
                     self.write_row(curve, &curves.positions, point)?;
                 }
@@ -156,7 +156,7 @@ impl Table<'_, '_> {
             }
         }
         if self.columns.has_colours {
-            let colour = self.document.unpack_points.colours[point];
+            let colour = self.document.points.colours[point];
             for &part in &colour[..if self.columns.has_opacity { 4 } else { 3 }] {
                 self.separate()?;
                 if self.columns.are_colours_bytes {
@@ -167,7 +167,7 @@ impl Table<'_, '_> {
             }
         }
         if self.columns.has_normals {
-            for part in self.document.unpack_points.normals[point] {
+            for part in self.document.points.normals[point] {
                 self.separate()?;
                 self.out.attribute(part)?;
             }

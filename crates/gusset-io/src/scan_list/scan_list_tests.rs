@@ -65,8 +65,8 @@ fn scans_are_placed() {
     for (k, [x, y, z]) in points[..3].iter().enumerate() {
         near(points[3 + k], [100.0 + y, -x, *z]);
     }
-    near(document.unpack_points.positions.get(0), [2.0, -1.0, 13.0]);
-    near(document.unpack_points.normals[1], [0.0, -1.0, 0.0]);
+    near(document.points.positions.get(0), [2.0, -1.0, 13.0]);
+    near(document.points.normals[1], [0.0, -1.0, 0.0]);
 }
 
 #[test]
@@ -90,8 +90,8 @@ fn points_without_normals_take_the_normals_away() {
     for order in [["a", "b"], ["b", "a"]] {
         let lines: String = order.iter().map(|name| format!("bmesh {name}.ply 0 0 0 0 0 0 1\n")).collect();
         let document = read(&lines, &files).expect("points");
-        assert!(matches!(&document.unpack_points.positions, Positions::F32(points) if points.len() == 4));
-        assert!(document.unpack_points.normals.is_empty());
+        assert!(matches!(&document.points.positions, Positions::F32(points) if points.len() == 4));
+        assert!(document.points.normals.is_empty());
     }
 }
 

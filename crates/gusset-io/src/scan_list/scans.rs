@@ -62,12 +62,10 @@ impl<'a> Scene<'a> {
             None => {}
         }
         let scan = self.load(&name).map_err(|error| ReadError { place: line, ..error })?;
-        let only_mesh =
-            match (&scan.placements[..], scan.unpack_points.positions.is_empty(), scan.unpack_curves.closed.is_empty())
-            {
-                ([only], true, true) => Ok((self.document.meshes.len() as u32 + only.mesh, only.transform)),
-                _ => Err(line),
-            };
+        let only_mesh = match (&scan.placements[..], scan.points.positions.is_empty(), scan.curves.closed.is_empty()) {
+            ([only], true, true) => Ok((self.document.meshes.len() as u32 + only.mesh, only.transform)),
+            _ => Err(line),
+        };
         self.append(scan, &name, pose)?;
         self.loaded.insert(name, only_mesh);
         Ok(())
@@ -125,8 +123,8 @@ impl<'a> Scene<'a> {
             let transform = product(pose, &placement.transform);
             document.placements.push(Placement { name, mesh: mesh_start + placement.mesh, transform });
         }
-        append_points(&mut document.unpack_points, scan.unpack_points, pose)?;
-        append_curves(document, &scan.unpack_curves, pose)?;
+        append_points(&mut document.points, scan.points, pose)?;
+        append_curves(document, &scan.curves, pose)?;
         document.metres_per_unit =
             scan.metres_per_unit.filter(|_| is_first || document.metres_per_unit == scan.metres_per_unit);
         document.notes.extend(scan.notes.iter().map(|note| {
@@ -228,7 +226,7 @@ fn append_curves(document: &mut Document, added: &crate::Curves, pose: &Pose) ->
     if added.closed.is_empty() {
         return Ok(());
     }
-    let curves = &mut document.unpack_curves;
+    let curves = &mut document.curves;
     let too_large =
         || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 points of curves; list fewer");
     let start = u32::try_from(curves.positions.len()).map_err(|_| too_large())?;

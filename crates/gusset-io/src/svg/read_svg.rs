@@ -46,7 +46,7 @@ pub(crate) fn read_svg(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
         return Err(refuse_foreign_file(bytes).unwrap_or(error));
     }
     findings.add_notes(&mut notes);
-    Ok(Document { unpack_curves: curves, notes, metres_per_unit: findings.metres_per_unit, ..Document::default() })
+    Ok(Document { curves, notes, metres_per_unit: findings.metres_per_unit, ..Document::default() })
 }
 
 /// Finds where the elements with names begin.

@@ -18,7 +18,7 @@ fn notes(document: &Document) -> Vec<&str> {
 
 /// Points of a curve in the coordinates of SVG, and whether it is closed.
 fn outline(document: &Document, curve: usize) -> (Vec<[f64; 2]>, bool) {
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     let range = curves.offsets[curve] as usize..curves.offsets[curve + 1] as usize;
     let points = range.map(|point| curves.positions.get(point)).map(|[x, y, _]| [x, 0.0 - y]).collect();
     (points, curves.closed[curve])
@@ -26,7 +26,7 @@ fn outline(document: &Document, curve: usize) -> (Vec<[f64; 2]>, bool) {
 
 fn only(content: &str) -> (Vec<[f64; 2]>, bool) {
     let document = drawing(content);
-    assert_eq!(document.unpack_curves.closed.len(), 1, "{content}");
+    assert_eq!(document.curves.closed.len(), 1, "{content}");
     outline(&document, 0)
 }
 
@@ -58,7 +58,7 @@ fn straight_shapes_are_exact() {
     assert_eq!(only("<line x2='1in' y2='25.4mm'/>").0, [[0.0, 0.0], [96.0, 96.0]]);
     assert_eq!(only("<line transform='rotate(90 1 1)' x2='2'/>").0, [[2.0, 0.0], [2.0, 2.0]]);
     let document = drawing("<path d='M0 0h1v1zM5 5h1z l0 9'/>");
-    assert_eq!(document.unpack_curves.closed, [true, false, false]);
+    assert_eq!(document.curves.closed, [true, false, false]);
     assert_eq!(outline(&document, 2).0, [[5.0, 5.0], [5.0, 14.0]]);
 }
 
@@ -93,7 +93,7 @@ fn curves_keep_their_area() {
 #[test]
 fn y_points_up_and_units_are_read() {
     let document = read("<svg width='210mm' height='297mm' viewBox='0 0 2100 2970'><path d='M0 10h5'/></svg>");
-    assert_eq!(document.unpack_curves.positions, Positions::F64(vec![[0.0, -10.0, 0.0], [5.0, -10.0, 0.0]]));
+    assert_eq!(document.curves.positions, Positions::F64(vec![[0.0, -10.0, 0.0], [5.0, -10.0, 0.0]]));
     assert!((document.metres_per_unit.expect("a unit") - 1e-4).abs() < 1e-12);
     assert_eq!(read("<svg width='2in'><path d='M0 0h5'/></svg>").metres_per_unit, Some(0.0254 / 96.0));
     assert_eq!(read("<svg width='200' viewBox='0 0 100 100'/>").metres_per_unit, None);
@@ -105,7 +105,7 @@ fn what_is_left_out_is_noted() {
         "<!-- none --><text>a</text><image/><path d='M0 0h1v1hx'/><use href='#none'/><clipPath><path d='M0 0h1'/></clipPath>\
          <style>path { fill: none }</style><path transform='turn(3)' d='M0 0h1'/><path d='h1'/>",
     );
-    assert_eq!(document.unpack_curves.closed, [false, false]);
+    assert_eq!(document.curves.closed, [false, false]);
     assert_eq!(
         notes(&document),
         [
@@ -140,7 +140,7 @@ fn hostile_drawings_cost_little() {
     assert!(error.contains("16 times"), "{error}");
     // Circles whose fine polylines would exceed the limit of memory.
     let document = drawing(&many("<circle r='1e9'/>", 20_000));
-    assert_eq!(document.unpack_curves.closed.len(), 20_000);
+    assert_eq!(document.curves.closed.len(), 20_000);
     assert!(notes(&document)[0].starts_with("curves are drawn within"), "{:?}", notes(&document));
     drawing(&format!("<path d='M0 0{}'/>", many("h1", 300_000)));
     drawing(
@@ -156,14 +156,14 @@ fn drawings_come_back_as_they_were() {
     let (bytes, losses) = write_to_bytes(&document, Format::Svg, &WriteOptions::default()).expect("a drawing");
     assert_eq!(losses, [""; 0]);
     let back = read(&bytes);
-    assert_eq!(back.unpack_curves, document.unpack_curves);
+    assert_eq!(back.curves, document.curves);
     assert!((back.metres_per_unit.expect("a unit") - 0.5e-3).abs() < 1e-15);
-    let points = document.unpack_curves.positions.iter().map(|[x, y, _]| [x, y, 1.0]).collect();
-    document.unpack_curves.positions = Positions::F64(points);
-    document.unpack_points.positions = Positions::F64(vec![[0.0; 3]]);
+    let points = document.curves.positions.iter().map(|[x, y, _]| [x, y, 1.0]).collect();
+    document.curves.positions = Positions::F64(points);
+    document.points.positions = Positions::F64(vec![[0.0; 3]]);
     let (_, losses) = write_to_bytes(&document, Format::Svg, &WriteOptions::default()).expect("a drawing");
     assert_eq!(losses, ["points, which SVG files do not hold", "z coordinates, which SVG files do not hold"]);
-    document.unpack_curves = crate::Curves::default();
+    document.curves = crate::Curves::default();
     assert!(write_to_bytes(&document, Format::Svg, &WriteOptions::default()).is_err());
 }
 
@@ -175,9 +175,9 @@ proptest! {
             <rect width='5' height='4' rx='1'/><use href='#a' x='1'/><circle r='3'/><polygon points='1,2 3,4 5,6'/></g></svg>".to_vec();
         mutate(&mut bytes, &changes);
         if let Ok(document) = read_svg(&bytes, &ReadOptions::default()) {
-            prop_assert_eq!(document.unpack_curves.offsets.last().copied(), Some(document.unpack_curves.positions.len() as u32));
-            prop_assert_eq!(document.unpack_curves.offsets.len(), document.unpack_curves.closed.len() + 1);
-            prop_assert!(document.unpack_curves.offsets.is_sorted());
+            prop_assert_eq!(document.curves.offsets.last().copied(), Some(document.curves.positions.len() as u32));
+            prop_assert_eq!(document.curves.offsets.len(), document.curves.closed.len() + 1);
+            prop_assert!(document.curves.offsets.is_sorted());
         }
     }
 }

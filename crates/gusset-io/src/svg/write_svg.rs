@@ -17,7 +17,7 @@ pub(crate) fn write_svg(
     _: &WriteOptions,
 ) -> Result<Vec<Loss>, WriteError> {
     let mut losses = list_lost_beside_curves(document, "SVG")?;
-    let curves = &document.unpack_curves;
+    let curves = &document.curves;
     if curves.positions.iter().any(|point| point[2] != 0.0) {
         losses.push(Loss("z coordinates, which SVG files do not hold".into()));
     }
@@ -39,7 +39,7 @@ pub(crate) fn write_svg(
 }
 
 fn write_head(document: &Document, out: &mut TextWriter<'_>) -> std::io::Result<()> {
-    let points = || document.unpack_curves.positions.iter().filter(|point| point.iter().all(|part| part.is_finite()));
+    let points = || document.curves.positions.iter().filter(|point| point.iter().all(|part| part.is_finite()));
     let low = [0, 1].map(|axis| points().fold(f64::INFINITY, |least, point| least.min(point[axis])));
     let high = [0, 1].map(|axis| points().fold(f64::NEG_INFINITY, |most, point| most.max(point[axis])));
     let (low, high) = if low[0] <= high[0] { (low, high) } else { ([0.0; 2], [1.0; 2]) };

@@ -118,8 +118,8 @@ impl Losses {
         add(document.materials.iter().any(|material| material.image.is_some()), "images");
         add(self.has_materials_beside_colours, "materials of meshes that also have colours");
         add(self.has_both_colours, "colours of faces of meshes whose vertices also have colours");
-        add(!document.unpack_curves.closed.is_empty(), "curves");
-        add(!document.unpack_points.positions.is_empty(), "points without faces");
+        add(!document.curves.closed.is_empty(), "curves");
+        add(!document.points.positions.is_empty(), "points without faces");
         for property in placed().flat_map(|mesh| &mesh.properties) {
             let domain = if property.domain == Domain::Vertices { "vertices" } else { "faces" };
             add(true, &format!("{} of {domain}", property.name));
