@@ -63,7 +63,7 @@ fn a_request_with_one_mesh_never_mentions_a_second() {
         let (first, second) = (first.view(), second.view());
         let request = Request { a: &first, loop_a: None, b: Some(&second), loop_b: None };
         assert!(stitch(&request, &stitch::Options::default(), &Job::new(1, &notes)).unwrap().turned);
-        assert_eq!(*notes.0.borrow(), ["the pieces disagree in orientation: the second has been turned over"]);
+        assert_eq!(*notes.0.borrow(), ["the pieces disagree in orientation: the second one was turned over"]);
     }
 }
 
