@@ -19,12 +19,16 @@ curve: gm.Curve = gm.Outline([[0, 0], [1, 1]], method="median").curve
 surface = gm.Surface(gm.Sheet(np.zeros((4, 4, 3))))
 paths: gm.SurfacePaths = surface.section([0, 0, 0], [0, 0, 1], spacing="chord", chord=0.1)
 net: Optional[gm.Net] = gm.Net(np.zeros((2, 2, 3)), sides=["rows_closed", "pole_top"])
-cut: gm.MeshSections = gm.sections(mesh, [0, 0, 0], [0, 0, 1], [0.5, 1.0], in_plane="below", tolerance=0.1)
-outline: NDArray[np.float64] = cut[0]
-around = gm.sections_about_axis(mesh, [0, 0, 0], [0, 0, 1], [1, 0, 0], [0.5], threads=1)
-across: gm.MeshSections = gm.sections_across(mesh, points, [0.5], closed=True)
-areas: NDArray[np.float64] = gm.sections_by_planes(mesh, [gm.Plane([0, 0, 1], [0, 0, 1])]).paths.area
 report = gm.filters.all_filters["check"](mesh)
+
+
+def cuts() -> None:
+    """Sections have their types."""
+    cut: gm.MeshSections = gm.sections(mesh, [0, 0, 0], [0, 0, 1], [0.5, 1.0], in_plane="below", tolerance=0.1)
+    outline: NDArray[np.float64] = cut[0]
+    around = gm.sections_about_axis(mesh, [0, 0, 0], [0, 0, 1], [1, 0, 0], [0.5], threads=1)
+    across: gm.MeshSections = gm.sections_across(mesh, points, [0.5], closed=True)
+    areas: NDArray[np.float64] = gm.sections_by_planes(mesh, [gm.Plane([0, 0, 1], [0, 0, 1])]).paths.area
 
 
 def documents() -> None:
