@@ -249,8 +249,7 @@ fn write_outputs(
                     .curves(output)
                     .ok_or_else(|| Failure::new(Exit::Plugin, format!("output {output} is not curves")))?;
                 let mut made = describe_curves(&file.shown(), &curves);
-                let lost =
-                    request.writing.write(file, &Document { curves, ..Document::default() }, Vec::new())?;
+                let lost = request.writing.write(file, &Document { curves, ..Document::default() }, Vec::new())?;
                 made["lost"] = json!(lost);
                 push(report, "outputs", made);
             }
