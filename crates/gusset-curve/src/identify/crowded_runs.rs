@@ -15,6 +15,8 @@ use gusset_base::error::Result;
 const MIN_SPANS_ACROSS_RUN: usize = 3;
 /// A span is compared with spans across a run at most this many places apart.
 const MAX_SPANS_ACROSS_RUN: usize = 16;
+/// Spans that are skipped together if they and their neighbours advance along one direction.
+const SPANS_PER_BLOCK: usize = 32;
 
 /// Appends the places of the points in runs whose ends cross.
 pub(super) fn find_loops_across_runs(
@@ -32,7 +34,21 @@ pub(super) fn find_loops_across_runs(
     // Both spans at the ends of a run are neighbours from the other side if few spans are left there.
     let most = MAX_SPANS_ACROSS_RUN.min(count.saturating_sub(if spans.closed { MIN_SPANS_ACROSS_RUN } else { 1 }));
     let last = count.saturating_sub(1);
+    // A curve that advances along a direction does not cross itself.
+    let is_settled = |block: usize| {
+        let window = SPANS_PER_BLOCK + 2 * MAX_SPANS_ACROSS_RUN;
+        let start = if block >= MAX_SPANS_ACROSS_RUN { block } else { block + count } - MAX_SPANS_ACROSS_RUN;
+        let is_whole = spans.closed || (block >= MAX_SPANS_ACROSS_RUN && start + window <= count);
+        window < count && is_whole && spans.do_spans_advance(start % count, window)
+    };
+    let mut is_block_settled = false;
     for k in 0..count {
+        if k % SPANS_PER_BLOCK == 0 {
+            is_block_settled = is_settled(k);
+        }
+        if is_block_settled {
+            continue;
+        }
         let reach = reach_of_span(spans, k);
         // The run after the span.
         let (mut run, mut by) = (leg_length(spans, k + 1), 2);
