@@ -15,7 +15,7 @@
 //! 7. Closed components are turned outwards.
 //! 8. If faces of closed components intersect, these are replaced by their [union](crate::arrange).
 //!
-//! The stages run again until nothing changes, at most four times. A stage is skipped if the mesh has not changed since
+//! The stages run again until nothing changes: at most four rounds in each of at most three passes. A stage is skipped if the mesh has not changed since
 //! its last run.
 //!
 //! [`unite_solids`] is the last stage alone, for several closed pieces.
