@@ -3,9 +3,9 @@
     assemble_many.py [--jobs 200] [--workers 2]      models by formula, on this machine
     assemble_many.py IN OUT                          each folder of IN has the pieces of one model; OUT gets NAME.ply
     assemble_many.py --scheduler tcp://HOST:8786     on a cluster that runs already
-    assemble_many.py --slurm 64                      on so many jobs of Slurm, by dask-jobqueue
+    assemble_many.py --slurm 64                      on 64 jobs of Slurm, by dask-jobqueue
 
-A model is lost with no worker: its job is run again by another one. The same models give the same bytes, whoever makes them.
+If a worker dies, another worker repeats its jobs. The same models give the same bytes on any worker.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import gusset_mesh as gm
 
 #! [job]
 def assembled(name, pieces):
-    """One model: a summary of it, which is small enough to travel, and the mesh itself."""
+    """Joins the pieces of a model. Returns a summary, small enough to send between processes, and the mesh."""
     made = gm.join(pieces, fill=True, threads=1)  # a worker has one core
     mesh, check = made.mesh, gm.check(made.mesh)
     digest = hashlib.sha256(mesh.points.tobytes() + mesh.corners.tobytes()).hexdigest()
@@ -34,7 +34,7 @@ def assembled(name, pieces):
 
 
 def by_formula(number, rows=40):
-    """A bumpy ball cut into quarters that are apart by a little: the pieces of one model."""
+    """Returns the pieces of one model: the quarters of a bumpy ball, with narrow gaps between them."""
     random = np.random.default_rng(number)
     columns = 4 * (int(random.integers(14, 22)) * rows // 40)
     polar = np.linspace(0.25, np.pi - 0.25, rows)[:, None]
@@ -67,7 +67,7 @@ def run_folder(folder, out):
 
 #! [map]
 def over(client, run, *arguments, retries=3, report=lambda done, count: None):
-    """The summaries of all jobs, in their order, over the workers of a client. A job whose worker dies is run by another one."""
+    """Runs a job for each set of arguments on the cluster, and returns the results in order. If a worker dies, another repeats its jobs."""
     futures = client.map(run, *arguments, retries=retries, pure=False)
     for done, _ in enumerate(as_completed(futures), 1):
         report(done, len(futures))
@@ -82,7 +82,7 @@ def bar(done, count):
 
 @contextlib.contextmanager
 def cluster(options):
-    """A client of the cluster that was asked for."""
+    """Yields a client of the cluster that the options name."""
     if options.scheduler:
         with Client(options.scheduler) as client:
             yield client
@@ -104,7 +104,7 @@ def main():
     parser.add_argument("--rows", type=int, default=40, help="how many rows of quads they have")
     parser.add_argument("--workers", type=int, default=2, help="processes on this machine")
     parser.add_argument("--scheduler", help="the address of a cluster that runs already")
-    parser.add_argument("--slurm", type=int, metavar="JOBS", help="so many jobs of Slurm")
+    parser.add_argument("--slurm", type=int, metavar="JOBS", help="the number of Slurm jobs to start")
     options = parser.parse_args()
     if len(options.folders) not in (0, 2):
         parser.error("a folder of folders of pieces, and one for the results")
