@@ -17,7 +17,7 @@
 //! points settle most (see span_lanes). The remaining spans are divided (see arc_crossing). O(n).
 
 use super::arc_crossing::{Arc, Crossing, CrossingSearch};
-use super::crowded_runs::find_loops_across_runs;
+use super::crowded_runs::RunSearch;
 use super::fit::Fit;
 use super::input_points::Points;
 use super::outline_nodes::NormalisationOfOutline;
@@ -44,6 +44,7 @@ pub(super) struct LoopSearch {
     points_at_loops: Vec<usize>,
     /// The arcs of consecutive spans.
     arcs: Vec<Arc>,
+    runs: RunSearch,
 }
 
 impl LoopSearch {
@@ -56,7 +57,7 @@ impl LoopSearch {
         (points, first_given_point): (&Points<'_>, usize),
         placement: &NormalisationOfOutline,
     ) -> Result<()> {
-        let LoopSearch { passed_points: stops, points_at_loops: found, arcs } = self;
+        let LoopSearch { passed_points: stops, points_at_loops: found, arcs, runs } = self;
         stops.clear();
         found.clear();
         let is_omitted = |status: &PointStatus| matches!(status, PointStatus::Merged | PointStatus::Missed);
@@ -87,7 +88,7 @@ impl LoopSearch {
         };
         spans.first_point_after_seam = spans.find_first_point_after_seam();
         spans.find_loops(&mut LoopFinds { points_at_loops: found, arc_count: count, arcs })?;
-        find_loops_across_runs(&spans, arcs, found)?;
+        runs.find_loops(&spans, arcs, found)?;
         for &place in &*found {
             let own = &mut done.statuses[if stops.is_empty() { first_point_in_fit + place } else { stops[place] }];
             if matches!(own, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Crowded) {
