@@ -76,7 +76,7 @@ static void steering(const Mesh &left, const Mesh &right) {
         return true; // false cancels, too
     });
     gusset::stitch(a, b, {}, context);
-    // Another thread may cancel the call, and read progress():
+    // Another thread may cancel the running call and all later ones, and read progress():
     std::thread other([&] { context.cancel(); });
     other.join();
     try {
@@ -84,7 +84,7 @@ static void steering(const Mesh &left, const Mesh &right) {
     } catch (const gusset::Error &error) {
         std::cout << (error.status() == GUSSET_ERROR_CANCELLED ? "cancelled\n" : "something else\n");
     }
-    context.reset();
+    context.reset(); // later calls run again
     //! [progress]
 }
 
@@ -129,7 +129,7 @@ static void containers() {
     //! [containers]
     const std::vector<std::array<int, 3>> rows = {{0, 1, 2}, {0, 2, 3}}; // or std::vector<int>, or std::span<const uint32_t>
     const auto triangles = gusset::MeshView::triangles(points, rows);
-    // A quad and a triangle. The wrappers tell the two arrays apart.
+    // A quad and a triangle. The types Offsets and Corners tell the two arrays apart.
     const std::vector<int> offsets = {0, 4, 7}, corners = {0, 1, 2, 3, 3, 2, 4};
     const auto polygons = gusset::MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners));
     // The arrays of a result, without a copy.
