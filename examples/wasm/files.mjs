@@ -14,7 +14,7 @@ f 4 1 5`);
 const { meshes: [pyramid], notes } = await read("pyramid.obj", bytes);
 
 const { filters } = await load();
-const [closed] = filters.fill_holes(pyramid);
+const [closed] = filters.fill(pyramid);
 
 const { files, losses } = await write("closed.glb", { meshes: [{ ...closed, name: "pyramid" }] });
 console.log(closed.faceCount, [...files.keys()], files.get("closed.glb").length, losses, notes);

@@ -137,7 +137,7 @@ private:
     friend class Unite;
 };
 
-/// A mesh made into a valid solid, changed only at its defects; see gusset_repair.
+/// A mesh without its defects, changed only at these; see gusset_repair.
 class Repair : public Solid {
 public:
     /// See ::gusset_repair.

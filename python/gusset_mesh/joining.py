@@ -153,13 +153,13 @@ def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None
 
 
 class Repair(Result[RepairReport]):
-    """A mesh made into a valid solid; ``report`` lists what was changed, and what remains."""
+    """A mesh without its defects; ``report`` lists the changes and the remaining defects."""
 
     REPORT = RepairReport
 
 
 def repair(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[RepairOptions]) -> Repair:
-    """Makes a valid solid of a mesh, and changes only faces at its defects.
+    """Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at defects.
 
     >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     >>> done = repair((points, [[0, 2, 1], [0, 1, 3], [0, 1, 3], [0, 3, 2]]))

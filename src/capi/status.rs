@@ -345,7 +345,7 @@ impl From<Error> for Failure {
                 input: cut,
                 ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             },
-            NotFinite { element, index, value } => {
+            NotFinite { element, index, value, .. } => {
                 Failure::with_element(GUSSET_ERROR_NOT_FINITE, element_code(element), index, value)
             }
             BadWeight { index, value } => {
@@ -361,10 +361,10 @@ impl From<Error> for Failure {
                 let status = if value.is_finite() { GUSSET_ERROR_OUT_OF_RANGE } else { GUSSET_ERROR_NOT_FINITE };
                 Failure { input, ..Failure::with_element(status, element_code(element), index, value) }
             }
-            CoordinateTooLarge { element, index, value } => {
+            CoordinateTooLarge { element, index, value, .. } => {
                 Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, element_code(element), index, value)
             }
-            NoSuch { element, index } => {
+            NoSuch { element, index, .. } => {
                 Failure::with_element(GUSSET_ERROR_NO_SUCH_ELEMENT, element_code(element), index, 0.0)
             }
             SectionsDiffer { section, count, .. } => {
@@ -372,7 +372,7 @@ impl From<Error> for Failure {
             }
             NoNode { section, column } => at(GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, section, column.into()),
             CurveNotClosed => plain(GUSSET_ERROR_CURVE_NOT_CLOSED, 0.0),
-            CurveNotPlane { point } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point, 0.0),
+            CurveNotPlane { point, z } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point, z),
             EmptyCurve => plain(GUSSET_ERROR_EMPTY_CURVE, 0.0),
             NoSuchPlace { index, t, .. } => at(GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index, t),
             BadConstraint { constraint, point } => {

@@ -132,7 +132,7 @@ fn nodes_that_cannot_be_filled() {
     assert_eq!(failed(true, &column(&[0, 1, 2, 3, 4])), Error::NoNode { section: 0, column: 7 });
     assert_eq!(failed(true, &column(&[0, 1, 3, 4])), Error::NoNode { section: 0, column: 7 });
     assert!(make(&nodes, rows, true, &column(&[0, 3, 4])).is_ok());
-    assert_eq!(failed(false, &[100]), Error::NoSuch { element: Element::Point, index: 100 });
+    assert_eq!(failed(false, &[100]), Error::NoSuch { element: Element::Point, index: 100, count: nodes.len() as u64 });
     // Given points must still be finite.
     let mut holed = nodes.clone();
     holed[47].y = f64::NAN;

@@ -68,7 +68,7 @@ fn parabolas_and_lines() {
     assert!(found.points.len() == 9, "{}", found.points.len());
     let lifted = [DVec3::Z, DVec3::X];
     let flat = CurveView::new(&lifted, &[0, 1], false).unwrap();
-    assert_eq!(flat.self_intersections(&Job::default()), Err(Error::CurveNotPlane { point: 0 }));
+    assert_eq!(flat.self_intersections(&Job::default()), Err(Error::CurveNotPlane { point: 0, z: 1.0 }));
 }
 
 #[test]

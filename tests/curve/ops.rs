@@ -163,7 +163,8 @@ fn areas_and_moments_of_polygons() {
     // In space: the area vector turns with the curve.
     let turned = Given { points: given.points.iter().map(|p| v(p.y, 7.0, p.x)).collect(), ..given };
     assert!((turned.view().area_vector(&Job::default()).unwrap() - v(0.0, area, 0.0)).length() < 1e-12);
-    assert_eq!(turned.view().moments(&Job::default()).unwrap_err(), Error::CurveNotPlane { point: 0 });
+    let refused = Error::CurveNotPlane { point: 0, z: turned.points[0].z };
+    assert_eq!(turned.view().moments(&Job::default()).unwrap_err(), refused);
 }
 
 #[test]

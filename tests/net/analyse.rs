@@ -55,7 +55,7 @@ fn a_determinant_that_is_not_zero_can_glue() {
     let mut glued = sheet(9, 9, Scalar::F64);
     deform(&mut glued, &steps, &Job::default()).unwrap();
     let refused = GlueOptions { links: &[1, 2 * 81], saturate: true, ..GlueOptions::default() };
-    let no_such = Error::NoSuch { element: Element::Link, index: 162 };
+    let no_such = Error::NoSuch { element: Element::Link, index: 162, count: 162 };
     assert_eq!(find_gluing(&glued, &refused, &Job::default()).unwrap_err(), no_such);
     assert!(find_gluing(&glued, &GlueOptions::default(), &Job::default()).unwrap().is_none());
     let options = GlueOptions { links: &links, saturate: true, ..GlueOptions::default() };
@@ -111,7 +111,7 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     assert!(analyse(&again, &after, 0.0, &Job::default()).unwrap().contracted.is_empty());
     assert_eq!(
         contract_links(net.topology(), [60], &Job::default()).unwrap_err(),
-        Error::NoSuch { element: Element::Link, index: 60 }
+        Error::NoSuch { element: Element::Link, index: 60, count: 60 }
     );
 }
 

@@ -233,12 +233,12 @@ fn refusals() {
     assert!(matches!(refused(&a, &a, &twist), Error::OptionOutOfRange { option: "twist", value: 2.0, .. }));
     let weld = JoinOptions { mode: BridgeMode::Weld, tolerance: f64::NAN, ..strict };
     assert!(matches!(refused(&a, &a, &weld), Error::OptionOutOfRange { option: "tolerance", .. }));
-    assert_eq!(a.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0 });
+    assert_eq!(a.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0, count: 0 });
     // A bridge within a part of a net only: the other is to be taken apart first.
     let once = concatenate(&a, &a, &strict, &job()).unwrap();
     let wide = sphere(4, 18, Scalar::F32, DVec3::ZERO);
     let twice = concatenate(&once, &wide, &JoinOptions::new(Direction::Down), &job()).unwrap();
-    assert_eq!(twice.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0 });
+    assert_eq!(twice.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0, count: 1 });
     assert!(!is_hidden(&twice, 2, 8) && has_cell(&twice.bridges()[0], 2, 8) && !has_cell(&twice.bridges()[0], 5, 8));
     assert_eq!(concatenate_all(&[], &strict, &job()).unwrap_err(), Error::EmptyScene);
 }

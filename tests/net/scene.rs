@@ -163,7 +163,7 @@ fn entries_change_as_a_whole() {
         (scene.add_net(Arc::new(sphere(5, 9, Scalar::F64, DVec3::ZERO))).unwrap(), scene.add_group().unwrap());
     let ring = Arc::new(torus(7, 9, Scalar::F64, DVec3::ZERO));
     let all = |x: f64| EntryChanges { net: Some(ring.clone()), transform: Some(along_x(x)), visible: Some(false) };
-    let no_such = Error::NoSuch { element: Element::Entry, index: group.into() };
+    let no_such = Error::NoSuch { element: Element::Entry, index: group.into(), count: scene.len() as u64 };
     assert_eq!(scene.set_entry(group, all(1.0)), Err(no_such), "a group has no net");
     assert!(matches!(scene.set_entry(ball, all(f64::NAN)), Err(Error::OptionOutOfRange { .. })));
     for entry in [ball, group] {
@@ -221,13 +221,22 @@ fn where_things_are() {
     assert_eq!(scene.flatten(&hidden(Direction::Down), &job()).unwrap_err(), Error::EmptyScene);
     scene.remove(pair).unwrap();
     assert!(scene.children(left).unwrap().is_empty());
-    assert_eq!(scene.content(pair).unwrap_err(), Error::NoSuch { element: Element::Entry, index: pair.into() });
+    assert_eq!(
+        scene.content(pair).unwrap_err(),
+        Error::NoSuch { element: Element::Entry, index: pair.into(), count: scene.len() as u64 }
+    );
     assert_eq!(scene.count_elements().unwrap().instances, 5);
-    assert_eq!(scene.net(left).unwrap_err(), Error::NoSuch { element: Element::Entry, index: left.into() });
-    assert_eq!(scene.add_child(ball, ring).unwrap_err(), Error::NoSuch { element: Element::Entry, index: ball.into() });
+    assert_eq!(
+        scene.net(left).unwrap_err(),
+        Error::NoSuch { element: Element::Entry, index: left.into(), count: scene.len() as u64 }
+    );
+    assert_eq!(
+        scene.add_child(ball, ring).unwrap_err(),
+        Error::NoSuch { element: Element::Entry, index: ball.into(), count: scene.len() as u64 }
+    );
     assert_eq!(
         scene.remove_child(all, ball).unwrap_err(),
-        Error::NoSuch { element: Element::Entry, index: ball.into() }
+        Error::NoSuch { element: Element::Entry, index: ball.into(), count: scene.len() as u64 }
     );
     assert!(scene.set_transform(all, along_x(f64::NAN)).is_err());
 }

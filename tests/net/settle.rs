@@ -408,7 +408,7 @@ fn bridges_beyond_the_net_are_refused() {
         (bridge.rows, bridge.properties.tension) = (rows, 1.0);
         net.bridges_mut().push(bridge);
         let done = settle(&mut net, &SettleOptions::default(), &Job::default());
-        let refused = Error::NoSuch { element: Element::Bridge, index: 0 };
+        let refused = Error::NoSuch { element: Element::Bridge, index: 0, count: 1 };
         assert_eq!(done.err(), (!fits).then_some(refused), "{at} {rows}");
     }
 }

@@ -124,16 +124,16 @@ fn batches_are_done_as_a_whole_or_not_at_all() {
     let diagonal = |diagonal| Gluing::CellDiagonal { cell: 3, diagonal };
     let before = net.topology().clone();
     let bad = [
-        (Gluing::Link(48), Error::NoSuch { element: Element::Link, index: 48 }),
-        (Gluing::Star { node: 24, mask: 1 }, Error::NoSuch { element: Element::Node, index: 24 }),
+        (Gluing::Link(48), Error::NoSuch { element: Element::Link, index: 48, count: 48 }),
+        (Gluing::Star { node: 24, mask: 1 }, Error::NoSuch { element: Element::Node, index: 24, count: 24 }),
         (
             Gluing::Star { node: 0, mask: 16 },
             Error::OptionOutOfRange { option: "mask", value: 16.0, allowed: (0.0..=15.0).into() },
         ),
-        (Gluing::Cell { cell: 15, mask: 1 }, Error::NoSuch { element: Element::Cell, index: 15 }),
+        (Gluing::Cell { cell: 15, mask: 1 }, Error::NoSuch { element: Element::Cell, index: 15, count: 15 }),
         (
             Gluing::CellDiagonal { cell: 15, diagonal: CellDiagonal::Rising },
-            Error::NoSuch { element: Element::Cell, index: 15 },
+            Error::NoSuch { element: Element::Cell, index: 15, count: 15 },
         ),
         (seam(7), Error::BadSeam { seam: 1 }),
         (diagonal(CellDiagonal::Rising), Error::CrossingCell { cell: 3 }),

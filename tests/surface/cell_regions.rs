@@ -69,7 +69,10 @@ fn chains_and_integer_diameters() {
     }
     let region = empty(CellGridShape { cells: [2, 2], closed: [false; 2] });
     assert_eq!(integer_diameter(&region, &job), Ok(Some(0)));
-    assert_eq!(shortest_chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuch { element: Element::Cell, index: 0 }));
+    assert_eq!(
+        shortest_chain(&region, [0, 0], [1, 1], &job),
+        Err(Error::NoSuch { element: Element::Cell, index: 0, count: region.lattice().len() as u64 })
+    );
     assert!(shortest_chain(&region, [0, 2], [1, 1], &job).is_err());
 }
 

@@ -150,11 +150,20 @@ fn curvatures_of_a_torus() {
     assert_eq!(surface.evaluate(&places[7..8], &job()).unwrap()[0], found[7]);
     let mut bad = places.clone();
     bad[3].u = 1.0 + 1e-15;
-    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 3 })));
+    assert!(matches!(
+        surface.evaluate(&bad, &job()),
+        Err(Error::NoSuch { element: Element::Place, index: 3, count: 1 })
+    ));
     bad[2].v = f64::NAN;
-    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 2 })));
+    assert!(matches!(
+        surface.evaluate(&bad, &job()),
+        Err(Error::NoSuch { element: Element::Place, index: 2, count: 1 })
+    ));
     bad[1].cell[1] = 128;
-    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 1 })));
+    assert!(matches!(
+        surface.evaluate(&bad, &job()),
+        Err(Error::NoSuch { element: Element::Place, index: 1, count: 1 })
+    ));
 }
 
 #[test]

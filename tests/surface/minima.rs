@@ -239,7 +239,7 @@ fn queries_whose_squares_overflow() {
     let surface = surface(&grid(&SHAPES[2]));
     let job = Job::default();
     let far = DVec3::new(0.0, 2e150, 0.0);
-    let refused = |error: Error, at: u32| matches!(error, Error::CoordinateTooLarge { element: Element::Query, index, value } if index == u64::from(at) && value == 2e150);
+    let refused = |error: Error, at: u32| matches!(error, Error::CoordinateTooLarge { element: Element::Query, index, value, .. } if index == u64::from(at) && value == 2e150);
     assert_eq!(surface.closest(far, f64::INFINITY), None);
     assert!(refused(surface.closest_all(&[DVec3::ZERO, far], f64::INFINITY, &job).unwrap_err(), 1));
     assert!(refused(surface.local_minima(far, f64::INFINITY, 0, &job).unwrap_err(), 0));

@@ -293,7 +293,7 @@ fn questions_that_are_none() {
     let queries = [DVec3::ZERO, DVec3::new(0.0, f64::NAN, 0.0)];
     assert!(matches!(
         surface.closest_all(&queries, 1.0, &job),
-        Err(Error::NotFinite { element: Element::Query, index: 1, value }) if value.is_nan()
+        Err(Error::NotFinite { element: Element::Query, index: 1, value, .. }) if value.is_nan()
     ));
     assert!(surface.closest_all(&queries[..1], -1.0, &job).is_err());
     assert!(surface.closest_all(&queries[..1], f64::NAN, &job).is_err());

@@ -4,7 +4,7 @@
 //! `src/capi/status.rs` of the root package assigns each variant a status number for C.
 
 use crate::error_subject::NumberInMessage;
-pub use crate::error_subject::{Allowed, Element, LoopPairFault, Side};
+pub use crate::error_subject::{Allowed, Component, Element, LoopPairFault, Side};
 
 /// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
 #[allow(missing_docs, reason = "the texts say what the fields are")]
@@ -96,9 +96,9 @@ pub enum Error {
     )]
     BadMerge { vertex: u32, value: u32 },
     /// An element has a coordinate that is NaN or infinite. The element is a vertex that a face
-    /// uses, a point, the tangent of a constraint, or a node.
-    #[error("{element} {index} has a coordinate that is {}; it must be finite", NumberInMessage(.value))]
-    NotFinite { element: Element, index: u64, value: f64 },
+    /// uses, a point, the tangent of a constraint, or a node. A node may also have such a value.
+    #[error("{component} of {element} {index} is {}; it must be finite", NumberInMessage(.value))]
+    NotFinite { element: Element, index: u64, component: Component, value: f64 },
     /// The number of inputs that have values differs from the number of inputs.
     #[error("values are given for {given} inputs, but there are {needed}")]
     InputsDiffer { given: u64, needed: u64 },
@@ -109,8 +109,8 @@ pub enum Error {
     #[error("{element} {index} of input {input} has the value {}; it must be {}", NumberInMessage(.value), if .value.is_finite() { "at least 0" } else { "finite" })]
     BadValue { element: Element, index: u64, input: u32, value: f64 },
     /// The square of a coordinate would overflow.
-    #[error("{element} {index} has a coordinate that is {}; the limit is 1e150", NumberInMessage(.value))]
-    CoordinateTooLarge { element: Element, index: u64, value: f64 },
+    #[error("{component} of {element} {index} is {}; the limit is 1e150", NumberInMessage(.value))]
+    CoordinateTooLarge { element: Element, index: u64, component: Component, value: f64 },
     /// A section of a frame has a different number of points than the first section.
     #[error("section {section} has {count} points, but the first section has {expected}")]
     SectionsDiffer {
@@ -131,8 +131,12 @@ pub enum Error {
     #[error("the curve does not end where it begins; a closed curve must")]
     CurveNotClosed,
     /// An operation on plane curves got a control point whose z is not 0.
-    #[error("control point {point} is not in the plane z = 0; set its z to 0")]
-    CurveNotPlane { point: u32 },
+    #[error("control point {point} is {} away from the plane; move it into the plane (z = 0 for a plane curve)", NumberInMessage(.z))]
+    CurveNotPlane {
+        point: u32,
+        /// The z coordinate, or the distance from the plane of the operation.
+        z: f64,
+    },
     /// An operation needs a curve with segments or points, and the curve has none.
     #[error("the curve is empty; it needs at least one segment or point")]
     EmptyCurve,
@@ -238,8 +242,13 @@ pub enum Error {
     #[error("seam {seam} is empty, leaves the net, or repeats one pair of nodes")]
     BadSeam { seam: u32 },
     /// An element does not exist, or is of a different kind.
-    #[error("{element} {index} does not exist{}", .element.describe_existence())]
-    NoSuch { element: Element, index: u64 },
+    #[error("{element} {index} {}", .element.describe_absence(*.index, *.count))]
+    NoSuch {
+        element: Element,
+        index: u64,
+        /// The number of elements; the number of sheets for a place.
+        count: u64,
+    },
     /// The sides of two nets that are to be joined have different numbers of nodes, and the options
     /// forbid equalising them.
     #[error("the sides have {a} and {b} nodes; they need the same number, or the option to equalise them")]
@@ -412,8 +421,18 @@ pub enum Error {
 impl Error {
     /// Returns [`Error::NotFinite`] if a coordinate of the element is NaN or infinite.
     pub fn check_finite(element: Element, index: u64, p: glam::DVec3) -> Result<()> {
-        match p.to_array().into_iter().find(|x| !x.is_finite()) {
-            Some(value) => Err(Error::NotFinite { element, index, value }),
+        match Component::find(p, |x| !x.is_finite()) {
+            Some((component, value)) => Err(Error::NotFinite { element, index, component, value }),
+            None => Ok(()),
+        }
+    }
+
+    /// Returns [`Error::NotFinite`] or [`Error::CoordinateTooLarge`] if a coordinate of the element is
+    /// not finite, or is larger than the limit.
+    pub fn check_magnitude(element: Element, index: u64, p: glam::DVec3, limit: f64) -> Result<()> {
+        Error::check_finite(element, index, p)?;
+        match Component::find(p, |x| x.abs() > limit) {
+            Some((component, value)) => Err(Error::CoordinateTooLarge { element, index, component, value }),
             None => Ok(()),
         }
     }

@@ -135,13 +135,49 @@ impl fmt::Display for Element {
 }
 
 impl Element {
-    /// Returns the end of the message about a missing element: what must hold.
-    pub(crate) fn describe_existence(self) -> &'static str {
+    /// Returns the end of the message about an element that a call cannot find among `count`.
+    pub(crate) fn describe_absence(self, index: u64, count: u64) -> String {
+        let exists = index < count;
         match self {
-            Element::Entry => " or is of a different kind; name an entry of the scene of the kind that the call takes",
-            Element::Place => " on the surface: its sheet, its cell or its parameters are out of range",
-            _ => "; indices count from 0 and are below the number of elements",
+            Element::Place => {
+                format!("is not on the surface: its sheet (of {count}), its cell or its parameters are out of range")
+            }
+            Element::Entry if exists => "was removed or is of a different kind; name one that the call takes".into(),
+            Element::Bridge if exists => "overlaps another bridge, or does not run from side to side of the net".into(),
+            Element::Cell if exists => "is not in the region; name a cell of the region".into(),
+            _ => format!("does not exist; the index must be below {count}"),
         }
+    }
+}
+
+/// A number of an element: a coordinate or its value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// The first coordinate.
+    X,
+    /// The second coordinate.
+    Y,
+    /// The third coordinate.
+    Z,
+    /// The value at an element.
+    Value,
+}
+
+impl Component {
+    /// Returns the first coordinate that satisfies a condition.
+    pub fn find(p: glam::DVec3, is_found: impl Fn(f64) -> bool) -> Option<(Self, f64)> {
+        [Component::X, Component::Y, Component::Z].into_iter().zip(p.to_array()).find(|&(_, x)| is_found(x))
+    }
+}
+
+impl fmt::Display for Component {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Component::X => "x",
+            Component::Y => "y",
+            Component::Z => "z",
+            Component::Value => "the value",
+        })
     }
 }
 

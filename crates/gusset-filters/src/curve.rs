@@ -133,7 +133,7 @@ impl CurvePlane {
             for (k, &point) in points.iter().enumerate() {
                 let [x, y, z] = self.axes.map(|axis| axis.dot(DVec3::from(point) - self.origin));
                 if z.abs() > slack {
-                    return Err(Error::CurveNotPlane { point: (first + k) as u32 });
+                    return Err(Error::CurveNotPlane { point: (first + k) as u32, z });
                 }
                 flat.push([x, y, 0.0]);
             }

@@ -15,7 +15,7 @@ pub(super) const FILTER: Filter = Filter {
     id: "repair",
     name: "Repair",
     category: "Repair",
-    help: "Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and \
+    help: "Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at defects. Sews borders, drops faces without area and \
            duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns \
            closed components outwards. Replaces closed components that intersect by their union. Lists what was dropped.",
     reference: "Zhou, Grinspun, Zorin and Jacobson 2016, for cells; Attene 2010",

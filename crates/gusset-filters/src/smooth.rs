@@ -6,7 +6,7 @@ use super::report::{CURVE, FACE, POINT, Report, ReportValue, VERTEX, count_with_
 use super::typed_param::{Param, TypedParam};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Element, Error, Result};
+use gusset_base::error::{Component, Element, Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView};
 use gusset_net::convert::net_of_grid;
@@ -100,15 +100,15 @@ pub(super) fn nearest_surface_points(
     element: Element,
     job: &Job<'_>,
 ) -> Result<Vec<Closest>> {
-    let not_finite = |index: u64, value: f64| Error::NotFinite { element, index, value };
     let found = surface.closest_all(queries, f64::INFINITY, job).map_err(|error| match error {
-        Error::NotFinite { index, value, .. } => not_finite(index, value),
+        Error::NotFinite { index, component, value, .. } => Error::NotFinite { element, index, component, value },
         error => error,
     })?;
     alloc::try_collect((0..).zip(found).zip(queries).map(|((index, found), query)| {
         // Squares of distances would overflow.
-        let value = query.to_array().into_iter().fold(0.0, |most: f64, x| if x.abs() > most.abs() { x } else { most });
-        found.ok_or(Error::CoordinateTooLarge { element, index, value })
+        let most = query.abs().max_element();
+        let (component, value) = Component::find(*query, |x| x.abs() == most).unwrap_or((Component::X, query.x));
+        found.ok_or(Error::CoordinateTooLarge { element, index, component, value })
     }))
 }
 

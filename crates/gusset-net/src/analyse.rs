@@ -119,8 +119,8 @@ pub fn analyse_field(
 pub fn contract_links(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
     let (shape, mut matrix) = (topology.shape(), topology.to_link_matrix()?);
     for link in links {
-        if link as usize >= 2 * shape.node_count() {
-            return Err(Error::NoSuch { element: Element::Link, index: link.into() });
+        if link as usize >= shape.link_count() {
+            return Err(Error::NoSuch { element: Element::Link, index: link.into(), count: shape.link_count() as u64 });
         }
         matrix.set_contracted(link, true);
     }
@@ -138,7 +138,7 @@ fn analyse_without_signs(
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance, "finite and at least 0")?;
     job.step(0.0, "analyse")?;
     let (shape, classes) = (before.shape(), NodeClasses::new(before.topology())?);
-    let mut links = alloc::zeroed(2 * shape.node_count())?;
+    let mut links = alloc::zeroed(shape.link_count())?;
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let row = |i: usize, ratios: &mut [f64]| write_length_ratios_of_row((old, new), i, ratios, &classes, tolerance);

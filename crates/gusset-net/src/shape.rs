@@ -55,6 +55,12 @@ impl Shape {
         self.rows() * self.columns()
     }
 
+    /// Returns the number of links, 2 H W: one to the right and one down from each node.
+    #[inline]
+    pub fn link_count(self) -> usize {
+        2 * self.node_count()
+    }
+
     /// Returns the number of cells, (H - 1) x (W - 1).
     #[inline]
     pub fn cell_count(self) -> usize {
@@ -144,15 +150,21 @@ impl Shape {
     /// Returns [`Error::NoSuch`] unless the node exists.
     pub(crate) fn check_node(self, node: u32) -> Result<()> {
         let exists = (node as usize) < self.node_count();
-        exists.then_some(()).ok_or(Error::NoSuch { element: Element::Node, index: node.into() })
+        exists.then_some(()).ok_or(Error::NoSuch {
+            element: Element::Node,
+            index: node.into(),
+            count: self.node_count() as u64,
+        })
     }
 
     /// [`Shape::row_and_column_of_cell`], or [`Error::NoSuch`].
     pub(crate) fn checked_row_and_column_of_cell(self, cell: u32) -> Result<(usize, usize)> {
         let exists = (cell as usize) < self.cell_count();
-        exists
-            .then(|| self.row_and_column_of_cell(cell))
-            .ok_or(Error::NoSuch { element: Element::Cell, index: cell.into() })
+        exists.then(|| self.row_and_column_of_cell(cell)).ok_or(Error::NoSuch {
+            element: Element::Cell,
+            index: cell.into(),
+            count: self.cell_count() as u64,
+        })
     }
 }
 

@@ -28,12 +28,7 @@ pub(super) fn check_ascending(levels: &[f64], option: &'static str) -> Result<()
 
 /// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
 pub(super) fn check_nodes_finite(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Result<()> {
-    nodes.into_iter().enumerate().try_for_each(|(index, node)| {
-        match node.borrow().to_array().into_iter().find(|x| !x.is_finite()) {
-            Some(value) => Err(Error::NotFinite { element: Element::Node, index: index as u64, value }),
-            None => Ok(()),
-        }
-    })
+    (0..).zip(nodes).try_for_each(|(index, node)| Error::check_finite(Element::Node, index, *node.borrow()))
 }
 
 /// Returns the first `count` points of an array, after a check that they are finite.

@@ -103,7 +103,8 @@ impl Surface<'_> {
     /// [`Error::NoSuch`] if the sheet does not exist, or the parameters are not finite.
     pub fn place(&self, sheet: usize, [u, v]: [f64; 2]) -> Result<Place> {
         let location = if sheet < self.len() { self.sheet(sheet).locate(u, v) } else { None };
-        let ([i, j], [u, v]) = location.ok_or(Error::NoSuch { element: Element::Place, index: 0 })?;
+        let ([i, j], [u, v]) =
+            location.ok_or(Error::NoSuch { element: Element::Place, index: 0, count: self.len() as u64 })?;
         Ok(Place { sheet: sheet as u32, cell: [i as u32, j as u32], u, v })
     }
 
@@ -134,7 +135,7 @@ impl Surface<'_> {
     /// [`Error::Cancelled`].
     pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<LocalGeometry>> {
         if let Some(index) = places.iter().position(|place| !self.has_place(place)) {
-            return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
+            return Err(Error::NoSuch { element: Element::Place, index: index as u64, count: self.len() as u64 });
         }
         let mut geometries = alloc::with_capacity(places.len())?;
         for round in places.chunks(PLACES_PER_TASK * TASKS_PER_REPORT) {

@@ -1,4 +1,4 @@
-//! Repair: Makes meshes valid solids, and unites solids.
+//! Repair: Removes the defects of meshes, and unites solids.
 //!
 //! @source Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, Mesh arrangements for solid geometry
 //!     (2016), for cells; M. Attene, A lightweight approach to repairing digitized polygon meshes
@@ -76,7 +76,7 @@ impl gusset_repair_options {
     }
 }
 
-/// Makes a valid solid of a mesh, and changes only faces at defects. Stages, in order:
+/// Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at defects. Stages, in order:
 /// - Coincident borders are sewn, as by gusset_sew. Without a given tolerance, narrow gaps are
 ///   closed.
 /// - Faces without area are dropped; their neighbours meet there.

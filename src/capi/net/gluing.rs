@@ -163,7 +163,7 @@ pub(crate) fn read_topology(
     } else if gluing.sides != 0 {
         return Err(Failure::unknown_value("sides", gluing.sides.into(), "0 beside a matrix"));
     } else {
-        let bytes = input::input_bytes(gluing.matrix.cast(), 2 * shape.node_count(), 1, "matrix")?;
+        let bytes = input::input_bytes(gluing.matrix.cast(), shape.link_count(), 1, "matrix")?;
         ContractedLinks::Matrix(LinkMatrix::from_bytes(shape, bytes)?)
     };
     let seams = read_seams(gluing.seams, gluing.seam_count)?;
@@ -231,7 +231,7 @@ pub unsafe extern "C" fn gusset_net_get_gluing(
         let all = topology.seams();
         let mut found = gusset_net_gluing_report {
             struct_size: 0,
-            matrix_size: 2 * shape.node_count(),
+            matrix_size: shape.link_count(),
             seam_count: all.len(),
             bridge_count: net.bridges().len(),
             sides: topology.sides().map_or(u32::MAX, sides_to_bits),

@@ -215,8 +215,9 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
     bridge: *mut gusset_bridge,
 ) -> gusset_status {
     lend!(net, bridge, |net| {
-        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
-        let bridge = net.net().bridges().get(index).ok_or(no_such)?;
+        let bridges = net.net().bridges();
+        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64, count: bridges.len() as u64 };
+        let bridge = bridges.get(index).ok_or(no_such)?;
         let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
         gusset_bridge {
             struct_size: 0,

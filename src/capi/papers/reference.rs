@@ -305,7 +305,7 @@ fn normals_at(sheet: &Sheet<'_>, places: &[Place], out: &mut [[f64; 3]], job: &J
     for (k, (out, place)) in out.iter_mut().zip(places).enumerate() {
         job.step_every(256, k, places.len(), "normals")?;
         // As for a surface: the place in the array is at fault, not one of its numbers.
-        let missing = |_| Error::NoSuch { element: Element::Place, index: k as u64 };
+        let missing = |_| Error::NoSuch { element: Element::Place, index: k as u64, count: 1 };
         *out = normal_by_sections(sheet, place.cell.map(|k| k as usize), place.u, place.v).map_err(missing)?.to_array();
     }
     Ok(())

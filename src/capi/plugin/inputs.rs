@@ -88,11 +88,9 @@ fn read_curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curve
     };
     for p in 0..view.point_count {
         job.step_every(1 << 16, p, view.point_count, "reading curves")?;
-        let point = points.get(p as u32).to_array();
-        if let Some(&value) = point.iter().find(|coordinate| !coordinate.is_finite()) {
-            return Err(Error::NotFinite { element: Element::Point, index: p as u64, value }.into());
-        }
-        found.points.push(point);
+        let point = points.get(p as u32);
+        Error::check_finite(Element::Point, p as u64, point)?;
+        found.points.push(point.to_array());
     }
     if view.curve_count > 0 {
         found.offsets = input::copy_input_items(view.offsets.cast(), view.curve_count + 1, "offsets")?;

@@ -147,9 +147,11 @@ pub unsafe extern "C" fn gusset_surface_locate(
         for (k, pair) in bytes.chunks_exact(16).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "locating")?;
             let place = surface.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
-            found.push(gusset_surface_place::from(
-                place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,
-            ));
+            found.push(gusset_surface_place::from(place.map_err(|_| Error::NoSuch {
+                element: Element::Place,
+                index: k as u64,
+                count: surface.len() as u64,
+            })?));
         }
         job.finish()?;
         places.copy_from_slice(&found);

@@ -55,7 +55,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "repair",
         filters: &["repair"],
-        about: "Makes a valid solid of a mesh, changing only faces at its defects",
+        about: "Removes the defects of a mesh, to get a valid solid where possible",
         example: "gusset repair part.stl -o repaired.stl",
         smooth: &[],
         certifies: true,

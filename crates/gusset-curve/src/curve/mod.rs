@@ -142,7 +142,7 @@ impl<'a> CurveView<'a> {
     /// Checks that the curve lies in the plane z = 0.
     pub(super) fn check_in_xy_plane(&self) -> Result<()> {
         let outside = self.points.iter().position(|p| p.z != 0.0);
-        outside.map_or(Ok(()), |point| Err(Error::CurveNotPlane { point: point as u32 }))
+        outside.map_or(Ok(()), |k| Err(Error::CurveNotPlane { point: k as u32, z: self.points[k].z }))
     }
 
     /// Returns the number of segments after which a closed curve repeats; infinite for an open one.

@@ -65,7 +65,8 @@ impl SectionRows {
         let mut is_missing = alloc::filled(false, sections.points.len())?;
         for &point in options.missing {
             let Some(mark) = is_missing.get_mut(point as usize) else {
-                return Err(Error::NoSuch { element: Element::Point, index: point.into() });
+                let count = sections.points.len() as u64;
+                return Err(Error::NoSuch { element: Element::Point, index: point.into(), count });
             };
             *mark = true;
         }

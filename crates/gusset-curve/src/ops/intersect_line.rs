@@ -76,8 +76,8 @@ impl CurveView<'_> {
         self.check_in_xy_plane()?;
         check_finite(0, point)?;
         check_finite(1, direction)?;
-        if point.z != 0.0 || direction.z != 0.0 {
-            return Err(Error::CurveNotPlane { point: u32::from(point.z == 0.0) });
+        if let Some((index, z)) = (0..).zip([point.z, direction.z]).find(|&(_, z)| z != 0.0) {
+            return Err(Error::CurveNotPlane { point: index, z });
         }
         self.intersect_plane(point, DVec3::new(-direction.y, direction.x, 0.0), job)
     }

@@ -11,7 +11,7 @@ use crate::view::FaceVisitor;
 use crate::{MAX_ELEMENTS, MeshView};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::{Element, Error, Result};
+use gusset_base::error::{Component, Element, Error, Result};
 use gusset_base::job::Job;
 use gusset_base::par;
 use gusset_base::sort::Buckets;
@@ -163,8 +163,9 @@ impl CrossedFaceFinder<'_> {
     fn describe_unusable_vertex(&self, corners: &[u32]) -> Error {
         let vertex = corners.iter().copied().find(|&v| self.classes[v as usize] == UNUSABLE_VERTEX_CLASS).unwrap_or(0);
         let p = self.mesh.positions().get(vertex);
-        let value = p.to_array().into_iter().find(|x| x.abs() > MAX_COORDINATE).unwrap_or(f64::NAN);
-        Error::CoordinateTooLarge { element: Element::Vertex, index: vertex.into(), value }
+        let too_large = Component::find(p, |x| x.abs() > MAX_COORDINATE);
+        let (component, value) = too_large.unwrap_or((Component::X, p.x));
+        Error::CoordinateTooLarge { element: Element::Vertex, index: vertex.into(), component, value }
     }
 }
 

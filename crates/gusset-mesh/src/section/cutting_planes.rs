@@ -100,10 +100,7 @@ pub fn planes_about_axis(point: DVec3, axis: DVec3, reference: DVec3, angles: &[
 /// is not between 0 and the length; [`Error::OutOfMemory`].
 pub fn planes_across_polyline(points: &[DVec3], is_closed: bool, distances: &[f64]) -> Result<Vec<Plane>> {
     for (index, point) in (0..).zip(points) {
-        Error::check_finite(Element::Point, index, *point)?;
-        if let Some(value) = point.to_array().into_iter().find(|x| x.abs() > MAX_COORDINATE) {
-            return Err(Error::CoordinateTooLarge { element: Element::Point, index, value });
-        }
+        Error::check_magnitude(Element::Point, index, *point, MAX_COORDINATE)?;
     }
     let mut distinct: Vec<DVec3> = alloc::with_capacity(points.len() + 1)?;
     points.iter().for_each(|&point| {

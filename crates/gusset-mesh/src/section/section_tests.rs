@@ -464,7 +464,12 @@ fn bad_input_is_named() {
     let found = cut_by_planes(&large.view(), &[level(0.5)], &options, &job).map(|_| ());
     assert_eq!(
         found,
-        Err(Error::CoordinateTooLarge { element: gusset_base::error::Element::Vertex, index: 3, value: -1e200 })
+        Err(Error::CoordinateTooLarge {
+            element: gusset_base::error::Element::Vertex,
+            index: 3,
+            component: gusset_base::error::Component::Y,
+            value: -1e200
+        })
     );
     // A vertex that no face uses may hold anything.
     let mut unused = mesh.clone();

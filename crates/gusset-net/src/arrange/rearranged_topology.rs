@@ -98,7 +98,7 @@ impl Topology {
             ContractedLinks::Matrix(matrix) => {
                 let last_row = shape.horizontal_link(rows.len() - 1, 0);
                 let within =
-                    matrix.contracted_links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
+                    matrix.contracted_links_in(first..first + shape.link_count() as u32).map(|link| link - first);
                 // A link down from the last row leaves the part, unless it closes all rows.
                 let kept = within.filter(|&link| link < last_row || link % 2 == 0 || whole);
                 ContractedLinks::Matrix(LinkMatrix::from_links(shape, kept)?)

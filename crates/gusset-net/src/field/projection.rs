@@ -31,7 +31,7 @@ pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
 pub fn parallel_projection(point: DVec3, normal: DVec3, direction: DVec3) -> Result<impl Field> {
     let along = normal.dot(direction);
     check_parameters_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
-    Error::require(along != 0.0, "direction", along, "at an angle to the plane")?;
+    Error::require(along != 0.0, "direction along the plane's normal", along, "other than 0")?;
     // p - d (n . (p - q)) / (n . d)
     let slope = direction / along;
     let mut rows = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -52,7 +52,7 @@ pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result
     // The normal times the vector from the eye to the plane. A matrix would cancel terms as large
     // as the squared distance from the origin.
     let depth = normal.dot(point - eye);
-    Error::require(depth != 0.0, "eye", depth, "outside the plane")?;
+    Error::require(depth != 0.0, "distance of eye from the plane", depth, "other than 0")?;
     check_parameters_finite(&[("plane", depth)])?;
     check_parameters_finite(&eye.to_array().map(|value| ("eye", value)))?;
     check_parameters_finite(&normal.to_array().map(|value| ("normal", value)))?;

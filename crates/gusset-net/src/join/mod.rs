@@ -195,7 +195,8 @@ impl Net<'_> {
     /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance and
     /// for inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then unchanged.
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
-        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
+        let no_such =
+            Error::NoSuch { element: Element::Bridge, index: index as u64, count: self.bridges().len() as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
         Error::require(tolerance >= 0.0, "tolerance", tolerance, "at least 0")?;
         Error::require(

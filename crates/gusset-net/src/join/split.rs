@@ -23,7 +23,8 @@ impl Net<'_> {
     /// [`Error::CrossingCell`] if a cell is crossed without the gluings across the bridge;
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
-        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
+        let no_such =
+            Error::NoSuch { element: Element::Bridge, index: index as u64, count: self.bridges().len() as u64 };
         let bridge = self
             .bridges()
             .get(index)

@@ -126,7 +126,7 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`], also if the group does not contain it.
     pub fn remove_child(&mut self, group: u32, child: u32) -> Result<()> {
-        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such_entry(child))?;
+        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(self.no_such_entry(child))?;
         if let EntryContent::Group(children) = &mut self.entry_mut(group)?.content {
             children.remove(at);
         }
@@ -143,7 +143,8 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`].
     pub fn remove(&mut self, index: u32) -> Result<()> {
-        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such_entry(index))?;
+        let no_such = self.no_such_entry(index);
+        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such)?;
         let mut groups = entry.parents;
         sort_distinct(&mut groups);
         for group in groups {
@@ -242,7 +243,7 @@ impl Scene {
     pub fn net(&self, index: u32) -> Result<&Arc<Net<'static>>> {
         match self.content(index)? {
             EntryContent::Net(net) => Ok(net),
-            EntryContent::Group(_) => Err(no_such_entry(index)),
+            EntryContent::Group(_) => Err(self.no_such_entry(index)),
         }
     }
 
@@ -253,7 +254,7 @@ impl Scene {
     pub fn children(&self, index: u32) -> Result<&[u32]> {
         match self.content(index)? {
             EntryContent::Group(children) => Ok(children),
-            EntryContent::Net(_) => Err(no_such_entry(index)),
+            EntryContent::Net(_) => Err(self.no_such_entry(index)),
         }
     }
 
@@ -268,14 +269,15 @@ impl Scene {
     }
 
     pub(super) fn entry(&self, index: u32) -> Result<&SceneEntry> {
-        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such_entry(index))
+        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(self.no_such_entry(index))
+    }
+
+    fn no_such_entry(&self, index: u32) -> Error {
+        Error::NoSuch { element: Element::Entry, index: index.into(), count: self.len() as u64 }
     }
 
     fn entry_mut(&mut self, index: u32) -> Result<&mut SceneEntry> {
-        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such_entry(index))
+        let no_such = self.no_such_entry(index);
+        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such)
     }
-}
-
-fn no_such_entry(index: u32) -> Error {
-    Error::NoSuch { element: Element::Entry, index: index.into() }
 }

@@ -71,7 +71,7 @@ impl CompositeParts {
             let is_inside = rows < at && (at as usize) < direction.line_count_and_length(net.shape()).0;
             if !is_inside || (all[index].last_line_of_first_net() as usize) < start {
                 // The bridge does not belong to this net, or lies within another.
-                return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
+                return Err(Error::NoSuch { element: Element::Bridge, index: index as u64, count: all.len() as u64 });
             }
             ranges.push(start..all[index].last_line_of_first_net() as usize + 1);
             start = all[index].at as usize;

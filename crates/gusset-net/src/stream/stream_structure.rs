@@ -237,7 +237,7 @@ fn write_matrix(matrix: &LinkMatrix, to: &mut ByteWriter) -> Result<()> {
 
 fn read_matrix(shape: Shape, from: &mut ByteReader<'_>) -> Result<LinkMatrix> {
     let mut matrix = LinkMatrix::empty(shape)?;
-    let limit = 2 * shape.node_count() as u64;
+    let limit = shape.link_count() as u64;
     let mut end = 0u64;
     loop {
         let first = match from.read_varint()? {

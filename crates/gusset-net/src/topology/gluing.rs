@@ -81,8 +81,8 @@ impl Gluing {
             (0..4).filter(|k| mask >> k & 1 != 0).try_for_each(|k| link(links[k]))
         };
         match self {
-            Gluing::Link(number) if number as usize >= 2 * shape.node_count() => {
-                Err(Error::NoSuch { element: Element::Link, index: number.into() })
+            Gluing::Link(number) if number as usize >= shape.link_count() => {
+                Err(Error::NoSuch { element: Element::Link, index: number.into(), count: shape.link_count() as u64 })
             }
             Gluing::Link(number) => link(number),
             Gluing::Star { node, mask } => {

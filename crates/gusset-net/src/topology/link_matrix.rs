@@ -23,7 +23,7 @@ impl LinkMatrix {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn empty(shape: Shape) -> Result<Self> {
-        Ok(LinkMatrix { words: alloc::zeroed((2 * shape.node_count()).div_ceil(BITS_PER_WORD))? })
+        Ok(LinkMatrix { words: alloc::zeroed(shape.link_count().div_ceil(BITS_PER_WORD))? })
     }
 
     /// Creates a matrix of the links that [`Sides`] contract.
@@ -47,7 +47,7 @@ impl LinkMatrix {
     /// [`Error::ArrayTooShort`], [`Error::OptionOutOfRange`] for a byte other than 0 and 1,
     /// [`Error::OutOfMemory`].
     pub fn from_bytes(shape: Shape, bytes: &[u8]) -> Result<Self> {
-        let (w, needed) = (shape.columns(), 2 * shape.node_count());
+        let (w, needed) = (shape.columns(), shape.link_count());
         let Some(bytes) = bytes.get(..needed) else {
             let (needed, given) = (needed as u64, bytes.len() as u64);
             return Err(Error::ArrayTooShort { what: "the characteristic matrix", needed, given });

@@ -1,4 +1,4 @@
-//! From any polygons to a valid solid, least changed.
+//! From any polygons towards a valid solid, least changed.
 //!
 //! [`repair`] runs stages in a fixed order, each of which can be left out. A stage changes only the
 //! faces at the defects that it removes; other faces keep their vertices, and vertices their bits.

@@ -14,7 +14,7 @@ use crate::axis::{GridAxis, Scheme};
 use crate::cells::CELLS_PER_BLOCK_SIDE;
 use crate::checks::{check_ascending, check_finite, unit_vector};
 use crate::{Paths, Sheet, Surface, each_sheet};
-use gusset_base::error::{Element, Error, Result};
+use gusset_base::error::{Component, Element, Error, Result};
 use gusset_base::job::Job;
 
 impl Surface<'_> {
@@ -172,7 +172,12 @@ impl Surface<'_> {
         }
         Error::check_count("values", given, count)?;
         match values.iter().position(|value| !value.is_finite()) {
-            Some(node) => Err(Error::NotFinite { element: Element::Node, index: node as u64, value: values[node] }),
+            Some(node) => Err(Error::NotFinite {
+                element: Element::Node,
+                index: node as u64,
+                component: Component::Value,
+                value: values[node],
+            }),
             None => Ok(()),
         }
     }

@@ -7,11 +7,7 @@ use gusset_base::error::{Element, Error, Result};
 /// Returns [`Error::NotFinite`] or [`Error::CoordinateTooLarge`] with the index of the query, if a
 /// coordinate is not finite, or so large that its square would overflow.
 pub(super) fn check_query_point(query: DVec3, index: u64) -> Result<()> {
-    Error::check_finite(Element::Query, index, query)?;
-    match query.to_array().into_iter().find(|x| x.abs() > MAX_LINE_COORDINATE) {
-        Some(value) => Err(Error::CoordinateTooLarge { element: Element::Query, index, value }),
-        None => Ok(()),
-    }
+    Error::check_magnitude(Element::Query, index, query, MAX_LINE_COORDINATE)
 }
 
 /// Checks a single query. Returns [`Error::OptionOutOfRange`] if the distance is negative or NaN.

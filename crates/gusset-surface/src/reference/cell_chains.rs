@@ -30,7 +30,8 @@ pub fn shortest_chain(
     for end in [from, to] {
         lattice.check_cell(end)?;
         if !region.get(end) {
-            return Err(Error::NoSuch { element: Element::Cell, index: lattice.index(end) as u64 });
+            let [index, count] = [lattice.index(end), lattice.len()].map(|n| n as u64);
+            return Err(Error::NoSuch { element: Element::Cell, index, count });
         }
     }
     let mut walk = ShortestCellChains::new(lattice)?;

@@ -97,7 +97,7 @@ impl CellGridShape {
             return Ok(());
         }
         let cell = (i as u64).saturating_mul(columns as u64).saturating_add(j as u64);
-        Err(Error::NoSuch { element: Element::Cell, index: cell })
+        Err(Error::NoSuch { element: Element::Cell, index: cell, count: self.len() as u64 })
     }
 
     /// The intervals `line - steps .. line + steps - 1` of one direction that exist.
