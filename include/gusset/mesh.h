@@ -1090,7 +1090,7 @@ typedef struct gusset_repair_options {
     const struct gusset_fill_options *fill_options;
 } gusset_repair_options;
 
-/// Makes a valid solid of a mesh, and changes only faces at defects. Stages, in order:
+/// Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at defects. Stages, in order:
 /// - Coincident borders are sewn, as by gusset_sew. Without a given tolerance, narrow gaps are closed.
 /// - Faces without area are dropped; their neighbours meet there.
 /// - Duplicate faces are dropped, except the first.

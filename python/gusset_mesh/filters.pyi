@@ -369,7 +369,7 @@ def repair(
     leave_non_manifold: bool = ..., leave_fins: bool = ..., leave_intersections: bool = ..., leave_orientation: bool = ..., threads:
     int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns closed components outwards. Replaces closed components that intersect by their union. Lists what was dropped."""
+    """Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at defects. Sews borders, drops faces without area and duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns closed components outwards. Replaces closed components that intersect by their union. Lists what was dropped."""
 
 
 def unite(
