@@ -67,7 +67,7 @@ def write_readme(entries, path=Path("README.md")):
     head = (f"The times are medians, measured on two cores on {time.strftime('%Y-%m-%d')}. The first column gives gusset's\n"
             "time. Each other column gives a peer's time divided by gusset's: above 1, gusset is faster. We time gusset and a peer in turn, in one\n"
             "process, on the same arrays. One process runs the C++ peers, another the Python peers. Each process computes\n"
-            "its ratios from its own time of gusset. VTK's strip does not close the ring.\n")
+            "its ratios from its own time of gusset. In the rows named strip, VTK leaves the strip open where its ends should meet.\n")
     begin, end = map(re.escape, MARKS)
     new, count = re.subn(f"(?<={begin}).*?(?={end})", lambda _: f"{head}\n{table(entries)}\n", text, flags=re.DOTALL)
     if count != 1:
