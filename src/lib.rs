@@ -62,7 +62,7 @@ extern crate gusset_files as _;
 
 pub use glam;
 pub use gusset_attributes as attributes;
-pub use gusset_base::{Allowed, Element, Error, Job, LoopPairFault, Progress, Result, Side, error, job};
+pub use gusset_base::{Allowed, Component, Element, Error, Job, LoopPairFault, Progress, Result, Side, error, job};
 pub use gusset_curve as curve;
 pub use gusset_filters as filters;
 pub use gusset_mesh as mesh;

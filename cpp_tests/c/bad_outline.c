@@ -160,6 +160,10 @@ static void options(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
     options.repeat_tolerance = 1e-300;
     EXPECT(GUSSET_OK, fit(&outlines, &options));
+    options.history = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, &options));
+    options.history = 1, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, &options));
 }
 
 static void results(void) {
@@ -169,6 +173,7 @@ static void results(void) {
     gusset_outlines outlines;
     gusset_outline_view parts;
     gusset_outline_report report;
+    gusset_outline_history history = {0};
     double controls[4][3], section_parameters[4];
     uint8_t statuses[4];
     uint64_t steps = 9;
@@ -218,6 +223,13 @@ static void results(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_report(outline, 3, &report));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_report(NULL, 0, &report));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_report(outline, 0, NULL));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_history(outline, 0, &history));
+    history.struct_size = sizeof history;
+    EXPECT(GUSSET_OK, gusset_outline_get_history(outline, 0, &history));
+    CHECK(history.cycle_count == 0 && history.control_count == 0);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_history(outline, 3, &history));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_history(NULL, 0, &history));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_history(outline, 0, NULL));
     EXPECT(GUSSET_OK, gusset_outline_curve_create(context, outline, 0, &curve));
     EXPECT(GUSSET_OK, gusset_curve_measure(context, curve, GUSSET_CURVE_MEASURE_LENGTH, &measures));
     CHECK(measures.length > 2.8 && measures.length < 4.5);

@@ -102,6 +102,19 @@ TEST_CASE("how the cycles of the paper's chain go") {
     CHECK(later.iterations > 3);
     CHECK(later.last_move < 0.1 * first.last_move);
     CHECK(later.steps > first.steps);
+    // The control points after each cycle: one for each point.
+    options.history = true;
+    const gusset::Outline outline(gusset::Outlines(ellipse, true), options);
+    const gusset_outline_history history = outline.history();
+    REQUIRE(history.cycle_count == outline.report().iterations);
+    REQUIRE(history.control_count == history.cycle_count * ellipse.size());
+    CHECK(history.cycles[0].moved == first.last_move);
+    for (std::size_t k = 0; k < history.cycle_count; ++k) {
+        CHECK(history.cycles[k].control_end == (k + 1) * ellipse.size());
+    }
+    const double *last = history.controls + 3 * (history.control_count - ellipse.size());
+    CHECK(std::hypot(last[0] - outline.curve().controls[1][0], last[1] - outline.curve().controls[1][1]) < 1e-9);
+    CHECK_THROWS_AS(outline.history(1), gusset::Error);
 }
 
 TEST_CASE("what is wrong is said") {

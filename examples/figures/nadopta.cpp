@@ -128,22 +128,22 @@ std::string chords(const std::string &file) {
     options.method = SectionMethod::normal;
     options.lock = gusset::ParameterLock::data_guide;
     options.solver = gusset::OutlineSolver::step;
+    options.history = true;
     const gusset::Outline whole(gusset::Outlines(points, false), options);
-    const gusset_outline_report all_cycles = whole.report();
+    const gusset_outline_history history = whole.history();
     std::vector<double> moves;
     std::vector<std::vector<Spot>> cycles(1);
     for (const Plane &p : points) {
         cycles[0].push_back(of(right, p));
     }
-    for (uint32_t sweeps = 1; sweeps <= all_cycles.iterations; ++sweeps) {
-        options.max_sweeps = sweeps;
-        const gusset::Outline part(gusset::Outlines(points, false), options);
-        if (part.report().iterations > moves.size()) {
-            moves.push_back(part.report().last_move);
-        }
+    std::string places_of_first;
+    for (std::size_t k = 0, c = 0; k < history.cycle_count; ++k) {
+        moves.push_back(history.cycles[k].moved);
         cycles.emplace_back();
-        for (const Point3 &p : part.curve().segment(0)) {
+        for (; c < history.cycles[k].control_end; ++c) {
+            const double *p = history.controls + 3 * c;
             cycles.back().push_back(right(p[0], p[1]));
+            places_of_first += k == 0 ? " (" + places(p[0], 2) + ", " + places(p[1], 2) + ")" : "";
         }
     }
     for (std::size_t k = 0; k < cycles.size(); ++k) {
@@ -166,11 +166,11 @@ std::string chords(const std::string &file) {
     figure.label({262, 382}, "chords, guides, feet, and control points");
     figure.label({730, 382}, "control points by cycles (normal), and the curve");
     figure.save(file);
-    text += "; moves of cycles";
+    text += "; control points after cycle 1" + places_of_first + "; moves of cycles";
     for (std::size_t k = 0; k < std::min<std::size_t>(moves.size(), 5); ++k) {
         text += " " + places(moves[k], 6);
     }
-    return text + " of " + std::to_string(all_cycles.iterations) + " cycles, " + std::to_string(all_cycles.steps) + " steps";
+    return text + " of " + std::to_string(moves.size()) + " cycles, " + std::to_string(whole.report().steps) + " steps";
 }
 
 /// Fig. 3: the weights of the three control points of a quadratic, as heights of curves: 1 there and 0 elsewhere.

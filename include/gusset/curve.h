@@ -220,10 +220,14 @@ typedef struct gusset_outline_options {
     double corner_angle;
     /// Iterations end when moves are within it; below 1; 0: 1e-12.
     double tolerance;
-    /// Most sweeps or iterations between corners; 0: 200.
+    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement may take twice as
+    /// many more.
     uint32_t max_sweeps;
     /// Most steps at a point in a sweep; 0: 20,000.
     uint32_t max_steps;
+    /// 1: keeps the cycles for gusset_outline_get_history.
+    uint32_t history;
+    uint32_t reserved;
 } gusset_outline_options;
 
 /*** Outlines */
@@ -296,7 +300,7 @@ typedef struct gusset_outline_view {
 typedef struct gusset_outline_report {
     size_t struct_size;
     gusset_fit_status fit;
-    /// Most sweeps or iterations between corners, at most max_sweeps.
+    /// Most sweeps or iterations between corners, at most max_sweeps; without those of a replacement if they fail.
     uint32_t iterations;
     /// Steps of GUSSET_SOLVER_STEP.
     uint64_t steps;
@@ -315,6 +319,30 @@ typedef struct gusset_outline_report {
     uint32_t not_ok_count;
     uint32_t reserved;
 } gusset_outline_report;
+
+/// A cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
+typedef struct gusset_outline_cycle {
+    /// Largest move of a control point, relative to the size of the outline.
+    double moved;
+    /// Steps of GUSSET_SOLVER_STEP up to the end of this cycle.
+    uint64_t steps;
+    /// Number of control points of this cycle and all earlier ones.
+    uint64_t control_end;
+} gusset_outline_cycle;
+
+/// Lent cycles of an outline, in order, from corner to corner. Cycles of a start or a replacement of the solver are
+/// left out.
+typedef struct gusset_outline_history {
+    size_t struct_size;
+    /// The cycles.
+    const struct gusset_outline_cycle *cycles;
+    /// Number of cycles; 0 unless the option history was 1.
+    size_t cycle_count;
+    /// Control points after each cycle. For single curves all of the curve, for composite curves one for each distinct
+    /// point; at open ends, the point.
+    const double *controls;
+    size_t control_count;
+} gusset_outline_history;
 
 /// Fits a Bézier curve through the points of each outline.
 /// Constraints that cannot be met show in statuses; the curve still passes through the point if possible.
@@ -336,6 +364,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_view(const struct gu
 /// @errors NO_SUCH_ELEMENT
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_report(const struct gusset_outline *outline, size_t index,
     struct gusset_outline_report *report);
+
+/// Lends the cycles of one outline.
+/// @errors NO_SUCH_ELEMENT
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_history(const struct gusset_outline *outline, size_t index,
+    struct gusset_outline_history *history);
 
 /// Copies the curve of one outline.
 /// @errors NO_SUCH_ELEMENT

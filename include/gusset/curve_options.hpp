@@ -33,10 +33,13 @@ struct OutlineOptions {
     double corner_angle = 0.0;
     /// Iterations end when moves are within it; below 1; 0: 1e-12.
     double tolerance = 0.0;
-    /// Most sweeps or iterations between corners; 0: 200.
+    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement may take twice as
+    /// many more.
     uint32_t max_sweeps = 0;
     /// Most steps at a point in a sweep; 0: 20,000.
     uint32_t max_steps = 0;
+    /// 1: keeps the cycles for gusset_outline_get_history.
+    bool history = false;
 };
 
 /// Options of gusset_curve_offset_create. See ::gusset_offset_options.
@@ -101,6 +104,7 @@ inline gusset_outline_options as_c(const OutlineOptions &options) {
     given.tolerance = options.tolerance;
     given.max_sweeps = options.max_sweeps;
     given.max_steps = options.max_steps;
+    given.history = options.history ? 1 : 0;
     if (options.alpha) {
         given.alpha = *options.alpha;
         given.method = GUSSET_METHOD_ALPHA;

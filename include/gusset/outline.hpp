@@ -109,6 +109,11 @@ public:
     gusset_outline_report report(std::size_t k = 0) const {
         return detail::lent(gusset_outline_get_report, outline_.get(), k);
     }
+    /// The cycles of outline k and the control points after each, if the option history was set; see
+    /// gusset_outline_get_history.
+    gusset_outline_history history(std::size_t k = 0) const {
+        return detail::lent(gusset_outline_get_history, outline_.get(), k);
+    }
     /// GUSSET_POINT_... of each point.
     Span<const uint8_t> statuses() const & {
         const gusset_outline_view all = view();

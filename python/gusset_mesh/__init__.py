@@ -29,7 +29,7 @@ from ._reports import (
 from ._reports import (
     Bridge, BridgeProperties, DistanceReport, FacingView, FrameView, GluingOccurrence, GluingOccurrenceArray, NearestAngleReport,
     NetAnalysisView, NetComplexView, NetFinding, NetFindingArray, NetGridView, NetGroupsView, NetPlanarityReport, NetValidationView,
-    MeshSectionsView, OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray,
+    MeshSectionsView, OutlineCycle, OutlineCycleArray, OutlineHistory, OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray,
     SectionPath, SectionPathArray, SettleReport,
     SheetMeasures, StreamReport, StripReport, SurfaceCell, SurfaceCellArray, SurfaceCellsView, SurfacePointsView, Transform, TransformArray,
     WingedEdge, WingedEdgeArray, WingedFacesView, WingedView,
@@ -83,7 +83,7 @@ __all__ += [
     "FacingView", "Field", "FileMesh", "Frame", "FrameOptions", "FrameView", "Gluing", "GluingOccurrence", "GluingOccurrenceArray", "Line",
     "LocalGluing", "NearestAngleReport", "NetAnalysis", "NetAnalysisView", "NetComplex", "NetComplexView", "NetFinding", "NetFindingArray",
     "NetGrid", "NetGridView", "NetGroups", "NetGroupsView", "NetPlanarityReport", "NetPrimitive", "NetValidation", "NetValidationView",
-    "OutlineReport", "PlanariseOptions", "PlanariseReport", "Plane", "Scene", "SceneEntryReport", "SceneInstance", "SceneInstanceArray",
+    "OutlineCycle", "OutlineCycleArray", "OutlineHistory", "OutlineReport", "PlanariseOptions", "PlanariseReport", "Plane", "Scene", "SceneEntryReport", "SceneInstance", "SceneInstanceArray",
     "SceneReport", "Seam", "SeamArray", "SettleOptions", "SettleReport", "SheetMeasures", "StreamDecoder", "StreamOptions", "StreamReport",
     "Strip", "StripOptions", "StripReport", "SurfaceCell", "SurfaceCellArray", "SurfaceCells", "SurfaceCellsView", "SurfacePoints",
     "SurfacePointsView", "Transform", "TransformArray", "Winged", "WingedEdge", "WingedEdgeArray", "WingedFaces", "WingedFacesView",

@@ -57,10 +57,13 @@ class OutlineOptions(TypedDict, total=False):
     corner_angle: float
     #: Iterations end when moves are within it; below 1; 0: 1e-12.
     tolerance: float
-    #: Most sweeps or iterations between corners; 0: 200.
+    #: Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement may take twice as
+    #: many more.
     max_sweeps: int
     #: Most steps at a point in a sweep; 0: 20,000.
     max_steps: int
+    #: 1: keeps the cycles for gusset_outline_get_history.
+    history: bool
 
 
 class OffsetOptions(TypedDict, total=False):
@@ -661,6 +664,7 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "tolerance": Keyword('float'),
         "max_sweeps": Keyword('int'),
         "max_steps": Keyword('int'),
+        "history": Keyword('flag'),
     },
     "gusset_offset_options": {
         "tolerance": Keyword('float'),

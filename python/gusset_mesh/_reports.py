@@ -129,7 +129,7 @@ class OutlineReport(Record):
 
     @property
     def iterations(self) -> int:
-        """Most sweeps or iterations between corners, at most max_sweeps."""
+        """Most sweeps or iterations between corners, at most max_sweeps; without those of a replacement if they fail."""
         return self._struct.iterations
 
     @property
@@ -168,6 +168,72 @@ class OutlineReport(Record):
     def not_ok_count(self) -> int:
         """Points that are not GUSSET_POINT_OK."""
         return self._struct.not_ok_count
+
+
+class OutlineCycle(Record):
+    """A cycle of an iteration: a sweep over the points, or an iteration of Newton's method."""
+
+    __slots__ = ()
+    _NAME = 'gusset_outline_cycle'
+
+    @property
+    def moved(self) -> float:
+        """Largest move of a control point, relative to the size of the outline."""
+        return self._struct.moved
+
+    @property
+    def steps(self) -> int:
+        """Steps of GUSSET_SOLVER_STEP up to the end of this cycle."""
+        return self._struct.steps
+
+    @property
+    def control_end(self) -> int:
+        """Number of control points of this cycle and all earlier ones."""
+        return self._struct.control_end
+
+
+class OutlineCycleArray(RecordArray[OutlineCycle]):
+    """A cycle of an iteration: a sweep over the points, or an iteration of Newton's method."""
+
+    __slots__ = ()
+    RECORD = OutlineCycle
+
+    @property
+    def moved(self) -> NDArray[np.float64]:
+        """Largest move of a control point, relative to the size of the outline."""
+        return self.array['moved']
+
+    @property
+    def steps(self) -> NDArray[np.uint64]:
+        """Steps of GUSSET_SOLVER_STEP up to the end of this cycle."""
+        return self.array['steps']
+
+    @property
+    def control_end(self) -> NDArray[np.uint64]:
+        """Number of control points of this cycle and all earlier ones."""
+        return self.array['control_end']
+
+
+class OutlineHistory(Record):
+    """Lent cycles of an outline, in order, from corner to corner. Cycles of a start or a replacement of the solver
+    are left out.
+    """
+
+    __slots__ = ()
+    _NAME = 'gusset_outline_history'
+    _GETTER = 'gusset_outline_get_history'
+
+    @property
+    def cycles(self) -> OutlineCycleArray:
+        """The cycles."""
+        return OutlineCycleArray(self._array('cycles', self._struct.cycle_count))
+
+    @property
+    def controls(self) -> NDArray[np.float64]:
+        """Control points after each cycle. For single curves all of the curve, for composite curves one for each
+        distinct point; at open ends, the point.
+        """
+        return self._array('controls', self._struct.control_count, 3)
 
 
 class CurveNearestPoint(Record):

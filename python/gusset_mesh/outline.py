@@ -18,7 +18,7 @@ from ._library import bits_of, ffi, holding, lib, number_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
 from ._outlines import in_space, outlines_of
 from ._records import words
-from ._reports import CurveMeasures, CurveNearestPointArray, OutlineReport, OutlineView
+from ._reports import CurveMeasures, CurveNearestPointArray, OutlineHistory, OutlineReport, OutlineView
 from .choices import NUMBERS, CurveMeasureFlags, SampleRule
 from .curves import CurveQueries, Places
 
@@ -126,6 +126,20 @@ class Outline(Reported[OutlineView]):
     def fit(self) -> OutlineReport:
         """How well the curve fits: its outcome, residuals, and the angles at its joints."""
         return OutlineReport.read(self._handle, 0)
+
+    @cached_property
+    def history(self) -> list[tuple[float, NDArray[np.float64]]]:
+        """The cycles of the iteration, with ``history=True``: the largest move of each, and the control points (n, 3) after it.
+
+        >>> half = np.linspace(0, np.pi, 6)
+        >>> points = np.stack([np.cos(half), np.sin(half)], axis=1)
+        >>> literal = Outline(points, curve="single", lock="data_guide", solver="step", max_sweeps=3, history=True)
+        >>> [controls.shape for _, controls in literal.history]
+        [(6, 3), (6, 3), (6, 3)]
+        """
+        found = OutlineHistory.read(self._handle, 0)
+        ends = found.cycles.control_end.astype(np.intp)
+        return list(zip(found.cycles.moved.tolist(), np.split(found.controls, ends[:-1])))
 
 
 def find_sections(

@@ -14,6 +14,7 @@ mod near;
 mod ops;
 mod outline;
 mod outline_choices;
+mod outline_cycles;
 mod outline_curvature;
 mod outline_data;
 mod outline_export;

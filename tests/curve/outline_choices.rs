@@ -12,7 +12,7 @@ use gusset::curve::{
 
 const METHODS: [Method; 4] = [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian];
 
-fn open(points: &[(f64, f64)]) -> Line {
+pub(crate) fn open(points: &[(f64, f64)]) -> Line {
     let points = points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect();
     Line { name: "open".into(), closed: false, points }
 }

@@ -5,7 +5,7 @@ use crate::common::Soup;
 use glam::{DMat3, DVec3};
 use gusset::stitch::facing::{self, Arc, Centres, Facing, Planes, Run, centre, squareness};
 use gusset::stitch::{Extent, Options, Request, stitch};
-use gusset::{Element, Error, Job, Side};
+use gusset::{Component, Element, Error, Job, Side};
 use std::f64::consts::{PI, TAU};
 
 fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Result<Facing, Error> {
@@ -177,7 +177,12 @@ fn any_unit_will_do_and_bad_numbers_are_refused() {
     bad[3].y = f64::INFINITY;
     assert_eq!(
         facing(&a, &bad, None, Run::Closest),
-        Err(Error::NotFinite { element: Element::LoopPoint(Side::B), index: 3, value: f64::INFINITY })
+        Err(Error::NotFinite {
+            element: Element::LoopPoint(Side::B),
+            index: 3,
+            component: Component::Y,
+            value: f64::INFINITY
+        })
     );
     let refused = facing(&a, &b, Some(-1.0), Run::Closest);
     assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "tolerance", value: -1.0, .. })));

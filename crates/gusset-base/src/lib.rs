@@ -47,7 +47,7 @@ pub mod testing;
 #[doc(hidden)]
 pub mod threads;
 
-pub use error::{Allowed, Element, Error, LoopPairFault, Result, Side};
+pub use error::{Allowed, Component, Element, Error, LoopPairFault, Result, Side};
 pub use job::{Job, Progress};
 
 /// The index that means "none".

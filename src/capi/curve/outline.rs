@@ -125,7 +125,8 @@ pub struct gusset_outline_report {
     pub struct_size: usize,
     /// Outcome of an outline.
     pub fit: gusset_fit_status,
-    /// Most sweeps or iterations between corners, at most max_sweeps.
+    /// Most sweeps or iterations between corners, at most max_sweeps; without those of a replacement
+    /// if they fail.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,
@@ -147,12 +148,48 @@ pub struct gusset_outline_report {
     pub reserved: u32,
 }
 
+/// A cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_outline_cycle {
+    /// Largest move of a control point, relative to the size of the outline.
+    pub moved: f64,
+    /// Steps of GUSSET_SOLVER_STEP up to the end of this cycle.
+    pub steps: u64,
+    /// Number of control points of this cycle and all earlier ones.
+    pub control_end: u64,
+}
+
+/// Lent cycles of an outline, in order, from corner to corner. Cycles of a start or a replacement
+/// of the solver are left out.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_outline_history {
+    /// sizeof(gusset_outline_history).
+    pub struct_size: usize,
+    /// The cycles.
+    /// @shape cycle_count
+    pub cycles: *const gusset_outline_cycle,
+    /// Number of cycles; 0 unless the option history was 1.
+    pub cycle_count: usize,
+    /// Control points after each cycle. For single curves all of the curve, for composite curves one
+    /// for each distinct point; at open ends, the point.
+    /// @shape control_count 3
+    pub controls: *const f64,
+    /// Number of control points.
+    pub control_count: usize,
+}
+
 versioned! {
     gusset_outlines: 72,
     gusset_outline_view: 96,
     gusset_outline_report: 72,
+    gusset_outline_history: 40,
 }
-fixed! { gusset_constraint: 32 }
+fixed! {
+    gusset_constraint: 32,
+    gusset_outline_cycle: 24,
+}
 
 /// The caller's outlines: the points in place, everything else copied.
 pub(crate) struct GivenOutlines<'a> {
@@ -285,6 +322,30 @@ pub unsafe extern "C" fn gusset_outline_get_report(
             last_move: report.last_move,
             not_ok_count: report.not_ok,
             reserved: 0,
+        }
+    })
+}
+
+/// Lends the cycles of one outline.
+///
+/// @errors NO_SUCH_ELEMENT
+/// @complexity O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_get_history(
+    outline: *const gusset_outline,
+    index: usize,
+    history: *mut gusset_outline_history,
+) -> gusset_status {
+    lend!(outline, history, |done| {
+        done.curve_through_outline(index)?;
+        let (cycles, controls) = (done.0.history(index), done.0.history_controls(index));
+        gusset_outline_history {
+            struct_size: size_of::<gusset_outline_history>(),
+            cycles: lend_list(cycles).cast(),
+            cycle_count: cycles.len(),
+            controls: lend_list(controls).cast(),
+            control_count: controls.len(),
         }
     })
 }

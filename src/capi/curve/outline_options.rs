@@ -1,7 +1,7 @@
 //! Options of outlines: Kinds of curves, and the outcome at each point.
 
 use crate::capi::glue::{c_enum, constants, versioned};
-use crate::capi::input::read_choice;
+use crate::capi::input::{read_choice, read_flag};
 use crate::capi::status::Failure;
 use crate::curve::{CurveKind, Ends, JointParameter, Lock, Method, Options, Solver};
 
@@ -188,13 +188,19 @@ pub struct gusset_outline_options {
     pub corner_angle: f64,
     /// Iterations end when moves are within it; below 1; 0: 1e-12.
     pub tolerance: f64,
-    /// Most sweeps or iterations between corners; 0: 200.
+    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their
+    /// replacement may take twice as many more.
     pub max_sweeps: u32,
     /// Most steps at a point in a sweep; 0: 20,000.
     pub max_steps: u32,
+    /// 1: keeps the cycles for gusset_outline_get_history.
+    /// @flag
+    pub history: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_outline_options: 80 }
+versioned! { gusset_outline_options: 88 reserved }
 
 /// Converts the method in the options.
 pub(crate) fn to_section_method(options: &gusset_outline_options) -> Result<Method, Failure> {
@@ -257,6 +263,7 @@ impl gusset_outline_options {
             tolerance: or(self.tolerance, plain.tolerance),
             max_sweeps: or_count(self.max_sweeps, plain.max_sweeps),
             max_steps: or_count(self.max_steps, plain.max_steps),
+            history: read_flag(self.history, "history")?,
             ..plain
         })
     }

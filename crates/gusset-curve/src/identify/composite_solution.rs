@@ -5,6 +5,7 @@ use super::subcurve::Subcurve;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
+use std::ops::Range;
 
 /// The parameters, joint parameters and control points of a composite curve. Other curves use the
 /// lists for their own unknowns.
@@ -68,6 +69,12 @@ impl CompositeSolution {
     pub(super) fn save_controls(&mut self) {
         let n = self.previous_controls.len();
         self.previous_controls.copy_from_slice(&self.controls[..n]);
+    }
+
+    /// Returns the largest distance of a control point from its saved place.
+    pub(super) fn largest_move(&self, sections: Range<usize>) -> f64 {
+        let moves = sections.map(|i| self.controls[i].distance_squared(self.previous_controls[i]));
+        moves.fold(0.0, f64::max).sqrt()
     }
 
     /// Returns the control point of section `i`, and its first and last joint, relative to its

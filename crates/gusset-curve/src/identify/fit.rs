@@ -1,6 +1,6 @@
 //! The result of an identification: the curves of many outlines, and a report on each.
 
-use super::report::{Cycle, PointStatus, Report};
+use super::report::{Cycle, History, PointStatus, Report};
 use crate::curve::{CurveView, Place};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -21,9 +21,9 @@ pub struct Fit {
     pub(super) parameters: Vec<f64>,
     pub(super) statuses: Vec<PointStatus>,
     pub(super) reports: Vec<Report>,
-    /// The cycles of all outlines, and the end of each outline's cycles.
-    pub(super) cycles: Vec<Cycle>,
-    pub(super) cycle_ends: Vec<usize>,
+    /// The cycles of all outlines with their control points, and the ends of both for each outline.
+    pub(super) history: History,
+    pub(super) history_ends: Vec<[usize; 2]>,
 }
 
 impl Fit {
@@ -79,13 +79,30 @@ impl Fit {
     }
 
     /// Returns the cycles of outline `k`, in order, subcurve by subcurve. The list is empty unless
-    /// [`Options::history`](super::Options) is set.
+    /// [`Options::history`](super::Options) is set. It contains the cycles of the solver that the
+    /// options name, not those of its start or its replacement.
     ///
     /// # Panics
     /// If outline `k` does not exist.
     pub fn history(&self, k: usize) -> &[Cycle] {
-        let from = if k == 0 { 0 } else { self.cycle_ends[k - 1] };
-        &self.cycles[from..self.cycle_ends[k]]
+        let [from, to] = self.history_range(k);
+        &self.history.cycles[from[0]..to[0]]
+    }
+
+    /// Returns the control points at the ends of all cycles of outline `k`, cycle after cycle; see
+    /// [`Cycle::control_end`]. A single curve has all its control points in each cycle. A composite
+    /// curve has one control point for each distinct point of its subcurve; at the ends of an open
+    /// subcurve, it is the point itself.
+    ///
+    /// # Panics
+    /// If outline `k` does not exist.
+    pub fn history_controls(&self, k: usize) -> &[DVec3] {
+        let [from, to] = self.history_range(k);
+        &self.history.controls[from[1]..to[1]]
+    }
+
+    fn history_range(&self, k: usize) -> [[usize; 2]; 2] {
+        [if k == 0 { [0, 0] } else { self.history_ends[k - 1] }, self.history_ends[k]]
     }
 
     /// Returns the control points of all curves, one curve after another.
@@ -127,9 +144,11 @@ impl Fit {
         alloc::append(&mut self.parameters, &other.parameters)?;
         alloc::append(&mut self.statuses, &other.statuses)?;
         alloc::append(&mut self.reports, &other.reports)?;
-        let cycles = self.cycles.len();
-        alloc::append(&mut self.cycles, &other.cycles)?;
-        alloc::extend(&mut self.cycle_ends, other.cycle_ends.iter().map(|end| end + cycles))?;
+        let [cycles, controls] = [self.history.cycles.len(), self.history.controls.len()];
+        alloc::append(&mut self.history.cycles, &other.history.cycles)?;
+        alloc::append(&mut self.history.controls, &other.history.controls)?;
+        let ends = other.history_ends.iter().map(|end| [end[0] + cycles, end[1] + controls]);
+        alloc::extend(&mut self.history_ends, ends)?;
         other.points.clear();
         other.ends.clear();
         other.starts.truncate(1);
@@ -137,8 +156,9 @@ impl Fit {
         other.parameters.clear();
         other.statuses.clear();
         other.reports.clear();
-        other.cycles.clear();
-        other.cycle_ends.clear();
+        other.history.cycles.clear();
+        other.history.controls.clear();
+        other.history_ends.clear();
         Ok(())
     }
 }

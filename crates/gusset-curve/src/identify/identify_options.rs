@@ -154,7 +154,8 @@ pub struct Options {
     /// Iterations end when all moves are below this, times the size of the outline. The error of
     /// the solution may be a few times larger if an iteration converges slowly.
     pub tolerance: f64,
-    /// The maximum number of sweeps or iterations between two corners; at least 1.
+    /// The maximum number of sweeps or iterations between two corners; at least 1. If they do not
+    /// converge, their replacement may take twice as many more.
     pub max_sweeps: u32,
     /// The maximum number of steps of the stepping solver at a point, in one sweep; at least 1.
     pub max_steps: u32,
@@ -162,7 +163,9 @@ pub struct Options {
     pub first_step: f64,
     /// The divisor of a step at each change of the deviation's sign; greater than 1.
     pub step_divisor: f64,
-    /// Whether to keep the moves of each cycle; see [`Fit::history`](super::Fit::history).
+    /// Whether to keep the moves and control points of each cycle; see
+    /// [`Fit::history`](super::Fit::history) and
+    /// [`Fit::history_controls`](super::Fit::history_controls).
     pub history: bool,
 }
 

@@ -11,7 +11,7 @@ use super::identify_options::{CurveKind, JointParameter, Options};
 use super::loops::LoopSearch;
 use super::outline_nodes::OutlineNodes;
 use super::outlines::{Constraint, Outlines};
-use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
+use super::report::{FitStatus, History, PointStatus, Report, ReportInProgress};
 use super::single::{self, Collocation};
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use super::{blended_curve, crowded, cubic_spline, residuals};
@@ -149,7 +149,7 @@ impl<'a> OutlineWorker<'a> {
         alloc::reserve(&mut done.ends, expected)?;
         alloc::reserve(&mut done.starts, batch.len())?;
         done.reserve_points(points.len())?;
-        alloc::reserve(&mut done.cycle_ends, batch.len())?;
+        alloc::reserve(&mut done.history_ends, batch.len())?;
         alloc::reserve(&mut done.reports, batch.len())
     }
 
@@ -173,7 +173,8 @@ impl<'a> OutlineWorker<'a> {
         let placement = self.nodes.placement;
         let size = placement.box_longest_side * placement.unit;
         let report = Report { size, ..Report::default() };
-        let mut report = ReportInProgress { report, history: self.options.history.then(Vec::new) };
+        let mut report =
+            ReportInProgress { report, history: self.options.history.then(History::default), is_uncounted: false };
         let quadratic = self.options.curve == CurveKind::Composite && self.options.joint != JointParameter::G2;
         if self.nodes.dividing_nodes.is_empty() && quadratic {
             self.fit_smooth_closed_outline(&span, base, &mut report, job)?;
@@ -366,8 +367,13 @@ impl<'a> OutlineWorker<'a> {
         if partial && report.status == FitStatus::Ok {
             report.status = FitStatus::Partial;
         }
-        alloc::append(&mut done.cycles, report.history.as_deref().unwrap_or_default())?;
-        alloc::push(&mut done.cycle_ends, done.cycles.len())?;
+        if let Some(history) = &report.history {
+            let placement = self.nodes.placement;
+            alloc::append(&mut done.history.cycles, &history.cycles)?;
+            let controls = history.controls.iter().map(|&p| p * placement.unit + placement.origin);
+            alloc::extend(&mut done.history.controls, controls)?;
+        }
+        alloc::push(&mut done.history_ends, [done.history.cycles.len(), done.history.controls.len()])?;
         alloc::push(&mut done.reports, report.report)
     }
 }
@@ -381,6 +387,7 @@ fn append_subcurve_curve(
 ) -> Result<()> {
     // Iterations are counted for each part; the report has the maximum.
     let before = std::mem::take(&mut out.report.iterations);
+    out.report.is_uncounted = false;
     match sub.options.curve {
         CurveKind::BlendC1 | CurveKind::BlendC2 => blended_curve::append_blended_curve(sub, composite.solution(), out),
         CurveKind::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),

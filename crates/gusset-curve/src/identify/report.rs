@@ -1,6 +1,7 @@
 //! The report on an identification: statuses of points and outlines, measured residuals, and the
 //! history of the cycles.
 
+use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::{Deref, DerefMut};
@@ -99,7 +100,8 @@ pub struct Report {
     /// The outcome.
     pub status: FitStatus,
     /// The number of sweeps or iterations, the maximum over the parts between corners; 0 if none
-    /// were needed. At most [`Options::max_sweeps`](super::Options).
+    /// were needed. At most [`Options::max_sweeps`](super::Options). If the solver that the options
+    /// name fails, the iterations of its replacement do not count.
     pub iterations: u32,
     /// The number of steps of the stepping solver.
     pub steps: u64,
@@ -113,7 +115,7 @@ pub struct Report {
     /// with [`JointParameter::G2`](super::JointParameter). It is relative to the larger curvature,
     /// or to 1 / size if both are smaller. 0 for other curves.
     pub max_curvature_gap: f64,
-    /// The largest move of a control point in the last iteration.
+    /// The largest move of a control point in the last iteration that counts.
     pub last_move: f64,
     /// The number of points with a status other than [`PointStatus::Ok`].
     pub not_ok: u32,
@@ -128,21 +130,51 @@ pub struct Cycle {
     /// The steps of the stepping solver up to the end of this cycle, over all cycles of the
     /// outline.
     pub steps: u64,
+    /// The number of control points of this cycle and all earlier ones of the outline.
+    pub control_end: u64,
+}
+
+/// The cycles of an outline, and the control points at the end of each.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct History {
+    pub(super) cycles: Vec<Cycle>,
+    pub(super) controls: Vec<DVec3>,
 }
 
 /// The report of an outline in progress, and the history of its cycles if requested.
 #[derive(Default)]
 pub(super) struct ReportInProgress {
     pub(super) report: Report,
-    pub(super) history: Option<Vec<Cycle>>,
+    pub(super) history: Option<History>,
+    /// Whether iterations belong to a start or a replacement of the solver that the options name.
+    pub(super) is_uncounted: bool,
 }
 
 impl ReportInProgress {
-    /// Records the largest move of a cycle at its end.
-    pub(super) fn record_cycle(&mut self, largest_move: f64) -> Result<()> {
+    /// Counts an iteration at its start.
+    pub(super) fn count_iteration(&mut self) {
+        self.report.iterations += u32::from(!self.is_uncounted);
+    }
+
+    /// Replaces the move of the last cycle, which ended with a further step.
+    pub(super) fn correct_last_move(&mut self, largest_move: f64) {
+        if !self.is_uncounted {
+            self.report.last_move = largest_move;
+        }
+    }
+
+    /// Records the largest move of a cycle at its end, and its control points.
+    pub(super) fn record_cycle<'a, I>(&mut self, largest_move: f64, controls: I) -> Result<()>
+    where
+        I: IntoIterator<Item = &'a DVec3, IntoIter: ExactSizeIterator>,
+    {
+        if self.is_uncounted {
+            return Ok(());
+        }
         self.report.last_move = largest_move;
-        let cycle = Cycle { moved: largest_move, steps: self.report.steps };
-        self.history.as_mut().map_or(Ok(()), |history| alloc::push(history, cycle))
+        let Some(History { cycles, controls: kept }) = &mut self.history else { return Ok(()) };
+        alloc::extend(kept, controls.into_iter().copied())?;
+        alloc::push(cycles, Cycle { moved: largest_move, steps: self.report.steps, control_end: kept.len() as u64 })
     }
 }
 

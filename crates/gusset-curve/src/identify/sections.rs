@@ -8,7 +8,7 @@ use super::method::{
 };
 use super::outlines::{Constraint, Outlines};
 use super::report::PointStatus;
-use super::stepping::step_section;
+use super::stepping::{ControlLine, step_control_point};
 use crate::curve::check_finite;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -41,8 +41,8 @@ pub struct Sections {
 /// normal is impossible, the method replaces it (for the normal, the bisector), and the status says
 /// so. Corners are ignored.
 ///
-/// Only the options `method` and `solver` are read. With [`Solver::Step`], sections without a
-/// tangent are found by the paper's steps. A section that uses up its steps is found in closed
+/// Only the options `method` and `solver` are read. With [`Solver::Step`], the paper's steps find
+/// the control point: on the guide, or on the tangent at an end of the section. A section that uses up its steps is found in closed
 /// form, with the status [`PointStatus::NotConverged`]. O(n), plus the steps; memory for the
 /// result.
 ///
@@ -154,10 +154,13 @@ impl SectionFinder<'_> {
             ],
         };
         let (mut section, mut status) = section_or_fallback(triple, tangents, self.method);
-        if self.options.solver == Solver::Step && tangents == [None; 3] {
-            // Where the bisector replaces the normal, it does so here too.
-            let method = if status == PointStatus::Ok { self.method } else { Method::Bisector };
-            match step_section(triple[0], triple[1], triple[2], method, self.options, self.job)? {
+        if self.options.solver == Solver::Step {
+            let line = match tangents {
+                [Some(tangent), None, _] if status == PointStatus::Ok => ControlLine::TangentAtStart(tangent),
+                [None, None, Some(tangent)] if status == PointStatus::Ok => ControlLine::TangentAtEnd(tangent),
+                _ => ControlLine::Guide,
+            };
+            match step_control_point(triple, section.t, line, self.options, self.job)? {
                 Ok((stepped, count)) => {
                     section = stepped;
                     *steps += count;

@@ -7,7 +7,7 @@
 //! sign. It takes O(log(1 / tolerance)) steps after the first change of sign, and steps of
 //! first_step before.
 //!
-//! Source: Nadopta, points 4 to 6 of the method of the normal.
+//! Source: Nadopta, points 4 to 6 of the method of the normal, and the method of the tangent.
 
 use super::identify_options::Options;
 use super::method::{Method, Section};
@@ -75,22 +75,49 @@ pub fn step_section(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Result<(Section, u64), PointStatus>> {
-    let t = match method.compute_section(a, p, c) {
-        Ok(closed) => closed.t,
-        Err(failed) => return Ok(Err(failed)),
-    };
+    match method.compute_section(a, p, c) {
+        Ok(closed) => step_control_point([a, p, c], closed.t, ControlLine::Guide, options, job),
+        Err(failed) => Ok(Err(failed)),
+    }
+}
+
+/// The line along which steps move the control point of a section.
+#[derive(Clone, Copy)]
+pub(super) enum ControlLine {
+    /// The guide through P, from P on.
+    Guide,
+    /// The tangent at A in this direction, from A on.
+    TangentAtStart(DVec3),
+    /// The tangent at C against this direction, from C on.
+    TangentAtEnd(DVec3),
+}
+
+/// Finds the section from A to C that passes P at parameter t, by steps along a line, and the
+/// number of steps. The parameter must be the one at which the curve crosses the line through P
+/// for every control point on the control line.
+pub(super) fn step_control_point(
+    [a, p, c]: [DVec3; 3],
+    t: f64,
+    line: ControlLine,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Result<(Section, u64), PointStatus>> {
     let s = 1.0 - t;
     let (u, w) = (a - p, c - p);
     let size = u.abs().max_element().max(w.abs().max_element()).max((c - a).abs().max_element());
-    // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. If the point is
-    // the foot, the direction is undefined.
-    let still = u * (s * s) + w * (t * t);
-    let guide = -still.normalize_or_zero();
+    // The foot divides the chord as t^2 and (1 - t)^2. If P is the foot, the guide lacks a direction.
+    let foot = u * (s * s) + w * (t * t);
+    let (start, direction) = match line {
+        ControlLine::Guide => (DVec3::ZERO, -foot.normalize_or_zero()),
+        ControlLine::TangentAtStart(tangent) => (u, tangent.normalize_or_zero()),
+        ControlLine::TangentAtEnd(tangent) => (w, -tangent.normalize_or_zero()),
+    };
+    let still = foot + start * (2.0 * t * s);
     let mut steps = 0;
-    let deviation = |x: f64| -(still.dot(guide) + 2.0 * t * s * x);
+    let deviation = |x: f64| -(still.dot(direction) + 2.0 * t * s * x);
     let along =
         step_until_deviation_is_zero(options, size, deviation, &mut steps, job)?.ok_or(PointStatus::NotConverged);
-    Ok(along.map(|along| (Section { control: p + guide * along, t }, steps)))
+    Ok(along.map(|along| (Section { control: p + (start + direction * along), t }, steps)))
 }
 
 #[cfg(test)]

@@ -467,7 +467,7 @@ fn bad_input_is_named() {
         Err(Error::CoordinateTooLarge {
             element: gusset_base::error::Element::Vertex,
             index: 3,
-            component: gusset_base::error::Component::Y,
+            component: gusset_base::Component::Y,
             value: -1e200
         })
     );

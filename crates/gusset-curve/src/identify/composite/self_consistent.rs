@@ -98,7 +98,10 @@ impl<const D: usize> SelfConsistentNewton<D> {
         alloc::grow(&mut self.step, n, [0.0; D])?;
         let mut regular = true;
         for round in 0..=MAX_FALLBACK_ROUNDS {
-            if self.iterate_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))? {
+            let converges = self.iterate_until_converged(sub, solution, out, max_iterations_of_round(sub, round))?;
+            // Further rounds replace the lock at some points.
+            out.report.is_uncounted = true;
+            if converges {
                 break;
             }
             // Points that still move fall back; in the last round all do.
@@ -145,23 +148,25 @@ impl<const D: usize> SelfConsistentNewton<D> {
                 self.add_scaled_step(sub, solution, -scale);
                 sum = self.evaluate_newton_rows(sub, solution, job)?;
             }
-            report.iterations += 1;
+            report.count_iteration();
             if sum > smallest || !self.compute_newton_step(sub, overlap, job)? {
                 // The fixed-point map itself, which need not make F smaller.
+                solution.save_controls();
                 control_equations::solve_control_points(sub, solution);
                 (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
+                let moved = solution.largest_move(sub.section_indices());
+                report.record_cycle(moved / sub.outline_size, &solution.controls[..sub.len()])?;
                 continue;
             }
             (smallest, scale, halvings) = (sum, 1.0, 0);
             let farthest = self.add_scaled_step(sub, solution, 1.0);
-            report.record_cycle(farthest / sub.outline_size)?;
+            report.record_cycle(farthest / sub.outline_size, &solution.controls[..sub.len()])?;
             if farthest <= MAX_RELATIVE_LAST_STEP * sub.outline_size {
                 solution.save_controls();
                 update_parameters_and_controls(sub, solution);
-                let moves =
-                    sub.section_indices().map(|i| solution.controls[i].distance_squared(solution.previous_controls[i]));
-                report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.outline_size;
-                if report.last_move * sub.outline_size <= tolerance {
+                let moved = solution.largest_move(sub.section_indices());
+                report.correct_last_move(moved / sub.outline_size);
+                if moved <= tolerance {
                     return Ok(true);
                 }
                 smallest = f64::INFINITY;

@@ -55,7 +55,9 @@ pub(super) fn solve_by_sweeps(
     move_controls_to_sweep_start(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))?;
+        let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, round))?;
+        // Further rounds replace the lock at some points.
+        out.report.is_uncounted = true;
         for i in sub.section_indices() {
             let moves =
                 solution.controls[i].distance(solution.previous_controls[i]) > sub.options.tolerance * sub.outline_size;
@@ -128,7 +130,7 @@ fn sweep_until_converged(
     let rounding = 16.0 * f64::EPSILON * sub.outline_size;
     let (mut last, mut placed) = (f64::INFINITY, 0_usize);
     for sweep in 0..max_sweeps {
-        report.iterations += 1;
+        report.count_iteration();
         solution.save_controls();
         let (mut farthest, mut all_placed) = (0.0f64, true);
         for i in sub.section_indices() {
@@ -142,7 +144,7 @@ fn sweep_until_converged(
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
-        report.record_cycle(farthest / sub.outline_size)?;
+        report.record_cycle(farthest / sub.outline_size, &solution.controls[..n])?;
         let ratio = farthest / last;
         last = farthest;
         let rests = farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio);

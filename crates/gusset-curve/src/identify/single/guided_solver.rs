@@ -45,8 +45,7 @@ impl Collocation {
     pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
             self.start_controls_at_points();
-            let left = sub.options.max_sweeps.saturating_sub(out.report.iterations);
-            if !self.run_sweeps(sub, None, left, out)? {
+            if !self.run_sweeps(sub, None, sub.options.max_sweeps, out)? {
                 flag_unconverged(out);
             }
         }
@@ -63,12 +62,13 @@ impl Collocation {
     ) -> Result<bool> {
         self.start_controls_at_points();
         if sub.options.solver == Solver::Fast {
-            self.run_sweeps(sub, Some(normal), MAX_SWEEPS_BEFORE_NEWTON.min(sub.options.max_sweeps), out)?;
             // The sweeps are the start of Newton's method, not part of it.
-            out.report.iterations = 0;
+            out.report.is_uncounted = true;
+            self.run_sweeps(sub, Some(normal), MAX_SWEEPS_BEFORE_NEWTON.min(sub.options.max_sweeps), out)?;
+            out.report.is_uncounted = false;
             return self.iterate_newton(sub, normal, out.report);
         }
-        let rests = self.run_sweeps(sub, Some(normal), sub.options.max_sweeps.div_ceil(2), out)?;
+        let rests = self.run_sweeps(sub, Some(normal), sub.options.max_sweeps, out)?;
         if !self.are_parameters_increasing() {
             return Ok(false);
         }
@@ -101,7 +101,7 @@ impl Collocation {
         let first = self.inner_control_range().start;
         for sweep in 0..max_sweeps {
             job.step_every(SWEEPS_PER_REPORT, sweep as usize, max_sweeps as usize, PROGRESS_STAGE)?;
-            report.iterations += 1;
+            report.count_iteration();
             let mut farthest = 0.0f64;
             for i in 1..=self.inner_point_count() {
                 let (own, p) = (first + i - 1, self.points[i]);
@@ -137,7 +137,7 @@ impl Collocation {
                 self.controls[own] += direction * along;
                 farthest = farthest.max(along.abs());
             }
-            report.record_cycle(farthest / sub.outline_size)?;
+            report.record_cycle(farthest / sub.outline_size, &self.controls)?;
             if farthest <= tolerance {
                 return Ok(true);
             }
@@ -182,7 +182,7 @@ impl Collocation {
             if !residual.0.is_finite() {
                 return Ok(false);
             }
-            report.iterations += 1;
+            report.count_iteration();
             if !self.compute_newton_step(normal)? {
                 return Ok(false);
             }
@@ -195,7 +195,7 @@ impl Collocation {
             };
             residual = next;
             let moved = (1..=inner).map(|i| self.right[i - 1].x.abs()).fold(0.0, f64::max);
-            report.record_cycle(fraction * moved / sub.outline_size)?;
+            report.record_cycle(fraction * moved / sub.outline_size, &self.controls)?;
             // Once the points are within the tolerance, one more step removes the rest.
             if near || (residual.0 <= tolerance && moved <= tolerance) {
                 return Ok(residual.0 <= tolerance);

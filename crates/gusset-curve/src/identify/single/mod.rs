@@ -82,6 +82,7 @@ fn solve_single_curve(
         solved = collocation.solve_on_guides(sub, normal, out)?;
         if !solved {
             out.report.status = FitStatus::NotConverged;
+            out.report.is_uncounted = true;
             out.flag_all_points(PointStatus::FellBack);
             collocation.find_parameters(sub, out.results);
             collocation.place_end_controls(tangents);

@@ -107,7 +107,10 @@ pub(super) fn solve_with_continuous_curvature(
     out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     workspace.solution.reset_joint_parameters(sub.len())?;
+    // The lock is the start of the iteration, not part of it.
+    out.report.is_uncounted = true;
     let locked = solve_and_reset_bad_joints(sub, workspace, out)?;
+    out.report.is_uncounted = false;
     let solution = &mut workspace.solution;
     if inner_joints(sub).is_empty() {
         return Ok(());
@@ -310,7 +313,7 @@ impl ContinuousCurvatureSolver {
                 self.give_up_worst_equations(sub, solution, out);
             }
             in_round += 1;
-            out.report.iterations += 1;
+            out.report.count_iteration();
             let mut moved = 0.0_f64;
             for &window in &self.windows_of_next_step {
                 let newton = &mut self.newton;
@@ -322,7 +325,7 @@ impl ContinuousCurvatureSolver {
                     out.job,
                 )?);
             }
-            out.report.record_cycle(moved / sub.outline_size)?;
+            out.report.record_cycle(moved / sub.outline_size, self.nodes.iter().map(|node| &node.control))?;
             do_all_hold = self.evaluate_equations(sub, out.job)?;
         }
         Ok(())
