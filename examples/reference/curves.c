@@ -40,6 +40,28 @@ static gusset_curve *a_curve_through_points(void) {
 }
 //! [outline]
 
+//! [history]
+static void the_cycles_of_the_paper(void) {
+    const double points[4][2] = {{0, 0}, {0, 4}, {3, 5}, {5, 1}};
+    const gusset_outlines outlines = {.struct_size = sizeof outlines, .points = points, .point_count = 4, .dimension = 2};
+    const gusset_outline_options options = {.struct_size = sizeof options,
+                                            .curve = GUSSET_CURVE_KIND_SINGLE,
+                                            .lock = GUSSET_LOCK_DATA_GUIDE,
+                                            .solver = GUSSET_SOLVER_STEP,
+                                            .max_sweeps = 3,
+                                            .history = 1};
+    gusset_outline *outline = NULL;
+    gusset_outline_history history = {.struct_size = sizeof history};
+
+    MUST(gusset_outline_create(NULL, &outlines, &options, &outline));
+    MUST(gusset_outline_get_history(outline, 0, &history));
+    /* After each of three cycles, the four control points of a cubic. */
+    HOLDS(history.cycle_count == 3 && history.control_count == 12 && history.cycles[0].control_end == 4);
+    HOLDS(history.cycles[2].moved < history.cycles[1].moved);
+    gusset_outline_destroy(outline);
+}
+//! [history]
+
 //! [sections]
 static void one_section_a_point(void) {
     const double points[3][2] = {{0, 0}, {1, 1}, {2, 0}};
@@ -294,6 +316,7 @@ static void curves_in_space(void) {
 
 int main(void) {
     gusset_curve *round = a_curve_through_points(), *arch = an_arch();
+    the_cycles_of_the_paper();
     one_section_a_point();
     a_body_and_a_new_section();
     room_for_comfort();

@@ -300,7 +300,8 @@ typedef struct gusset_outline_view {
 typedef struct gusset_outline_report {
     size_t struct_size;
     gusset_fit_status fit;
-    /// Most sweeps or iterations between corners, at most max_sweeps; without those of a replacement if they fail.
+    /// Most sweeps or iterations between corners, at most max_sweeps. A replacement of a solver that fails does not
+    /// count.
     uint32_t iterations;
     /// Steps of GUSSET_SOLVER_STEP.
     uint64_t steps;

@@ -129,7 +129,9 @@ class OutlineReport(Record):
 
     @property
     def iterations(self) -> int:
-        """Most sweeps or iterations between corners, at most max_sweeps; without those of a replacement if they fail."""
+        """Most sweeps or iterations between corners, at most max_sweeps. A replacement of a solver that fails does
+        not count.
+        """
         return self._struct.iterations
 
     @property

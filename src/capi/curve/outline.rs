@@ -125,8 +125,8 @@ pub struct gusset_outline_report {
     pub struct_size: usize,
     /// Outcome of an outline.
     pub fit: gusset_fit_status,
-    /// Most sweeps or iterations between corners, at most max_sweeps; without those of a replacement
-    /// if they fail.
+    /// Most sweeps or iterations between corners, at most max_sweeps. A replacement of a solver that
+    /// fails does not count.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,

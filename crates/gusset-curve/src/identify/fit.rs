@@ -79,8 +79,8 @@ impl Fit {
     }
 
     /// Returns the cycles of outline `k`, in order, subcurve by subcurve. The list is empty unless
-    /// [`Options::history`](super::Options) is set. It contains the cycles of the solver that the
-    /// options name, not those of its start or its replacement.
+    /// [`Options::history`](super::Options) is set. Only the solver that the options name
+    /// records cycles: neither its start nor its replacement does.
     ///
     /// # Panics
     /// If outline `k` does not exist.
