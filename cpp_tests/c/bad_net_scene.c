@@ -193,6 +193,48 @@ static void flattening(void) {
     gusset_net_destroy(net);
 }
 
+static void transfer(void) {
+    gusset_net *net = square(), *none = NULL;
+    gusset_scene *scene = NULL, *back = NULL;
+    gusset_stream *stream = NULL;
+    gusset_stream_options options;
+    gusset_stream_view bytes = {.struct_size = sizeof bytes};
+    gusset_scene_report counts = {.struct_size = sizeof counts};
+    uint32_t entry, group;
+
+    EXPECT(GUSSET_OK, gusset_scene_create(context, &scene));
+    EXPECT(GUSSET_OK, gusset_scene_add(context, scene, net, &entry));
+    EXPECT(GUSSET_OK, gusset_scene_add(context, scene, NULL, &group));
+    EXPECT(GUSSET_OK, gusset_scene_add_child(context, scene, group, entry));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_encode_create(context, NULL, NULL, &stream));
+    CHECK(stream == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_encode_create(context, scene, NULL, NULL));
+    memset(&options, 0, sizeof options);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_scene_encode_create(context, scene, &options, &stream));
+    options.struct_size = sizeof options, options.mode = 9;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_scene_encode_create(context, scene, &options, &stream));
+    options.mode = GUSSET_STREAM_LOSSLESS;
+    EXPECT(GUSSET_OK, gusset_scene_encode_create(context, scene, &options, &stream));
+    EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &bytes));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_decode_create(context, NULL, bytes.size, 0, &back));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_decode_create(context, bytes.data, bytes.size, 0, NULL));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_scene_decode_create(context, bytes.data, bytes.size, 3, &back));
+    for (size_t k = 0; k < bytes.size; k++) {
+        EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_scene_decode_create(context, bytes.data, k, 0, &back));
+        CHECK(back == NULL);
+    }
+    /* The magic of a net differs from the magic of a scene. */
+    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, bytes.data, bytes.size, 0, &none));
+    CHECK(none == NULL);
+    EXPECT(GUSSET_OK, gusset_scene_decode_create(context, bytes.data, bytes.size, 4, &back));
+    EXPECT(GUSSET_OK, gusset_scene_get_report(back, &counts));
+    CHECK(counts.nets == 1 && counts.groups == 1 && counts.levels == 2);
+    gusset_scene_destroy(back);
+    gusset_stream_destroy(stream);
+    gusset_scene_destroy(scene);
+    gusset_net_destroy(net);
+}
+
 int main(void) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     if (gusset_context_create(&context) != GUSSET_OK || up.face_count != down.face_count) {
@@ -200,6 +242,7 @@ int main(void) {
     }
     editing();
     flattening();
+    transfer();
     gusset_context_destroy(context);
     return failures != 0;
 }

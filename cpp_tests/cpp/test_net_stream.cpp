@@ -51,6 +51,27 @@ TEST_CASE("streams come back") {
     }
 }
 
+TEST_CASE("scenes come back, and share the nets that they shared") {
+    gusset::Scene scene;
+    const Net wheel = Net::from_primitive(Primitive::torus(1, 0.2));
+    const uint32_t axle = scene.add_group();
+    for (const double side : {-1.0, 1.0}) {
+        const uint32_t entry = scene.add(wheel);
+        scene.set_transform(entry, gusset::Transform{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, side}});
+        scene.add_child(axle, entry);
+    }
+    gusset::StreamOptions options;
+    options.mode = gusset::StreamMode::lossless;
+    const gusset::Stream stream(scene, options), alone(wheel, options);
+    CHECK(stream.bytes().size() < alone.bytes().size() + 500);
+    const gusset::Scene back = gusset::decode_scene(stream.bytes());
+    CHECK(back.children(axle) == scene.children(axle));
+    CHECK(back.entry(2).transform.rows[11] == 1.0);
+    CHECK(same_bits(back.flatten(), scene.flatten()));
+    CHECK_THROWS_AS(gusset::decode_scene(alone.bytes()), gusset::Error);
+    CHECK_THROWS_AS(gusset::decode_scene(stream.bytes(), 10), gusset::Error);
+}
+
 TEST_CASE("streams that arrive in pieces, and damaged ones") {
     const Net ball = Net::from_primitive(Primitive::sphere(1).with(200, 101).with(gusset::Scalar::f32));
     gusset::StreamOptions options;

@@ -182,6 +182,8 @@ static void a_scene(void) {
     const gusset_scene_changes hidden = {.struct_size = sizeof hidden, .visibility = GUSSET_VISIBILITY_HIDE};
     gusset_net *net = tube(), *flat = NULL, *again = NULL;
     gusset_scene *scene = NULL, *apart = NULL;
+    gusset_stream *stream = NULL;
+    gusset_stream_view bytes = {.struct_size = sizeof bytes};
     gusset_scene_entry_report entry = {.struct_size = sizeof entry};
     gusset_scene_report counts = {.struct_size = sizeof counts};
     gusset_scene_instance instances[8];
@@ -210,6 +212,15 @@ static void a_scene(void) {
     HOLDS(counts.nets == 2);
     gusset_scene_destroy(apart);
     gusset_net_destroy(flat);
+
+    /* The scene as bytes; the net that the axle has twice is stored once. */
+    MUST(gusset_scene_encode_create(NULL, scene, NULL, &stream));
+    MUST(gusset_stream_get_view(stream, &bytes));
+    MUST(gusset_scene_decode_create(NULL, bytes.data, bytes.size, 0, &apart));
+    MUST(gusset_scene_get_report(apart, &counts));
+    HOLDS(counts.nets == 1 && counts.net_instances == 2);
+    gusset_scene_destroy(apart);
+    gusset_stream_destroy(stream);
 
     MUST(gusset_scene_add(NULL, scene, net, &spare));
     MUST(gusset_scene_set_entry(NULL, scene, spare, &hidden));

@@ -3,7 +3,7 @@
 #ifndef GUSSET_NET_STREAM_HPP
 #define GUSSET_NET_STREAM_HPP
 
-#include <gusset/net.hpp>
+#include <gusset/scene.hpp>
 #include <gusset/stream_options.hpp>
 
 namespace gusset {
@@ -13,13 +13,18 @@ using Bytes = Span<const uint8_t>;
 /// The header of a stream.
 using StreamReport = gusset_stream_report;
 
-/// The bytes of a net; see gusset_net_encode_create. Immutable.
+/// The bytes of a net or a scene; see gusset_net_encode_create and gusset_scene_encode_create. Immutable.
 class Stream {
 public:
     /// See ::gusset_net_encode_create.
     explicit Stream(const Net &net, const StreamOptions &options = {}, const Context &context = Context()) {
         const gusset_stream_options given = detail::as_c(options);
         stream_.reset(context.result(gusset_net_encode_create, net.get(), &given));
+    }
+    /// See ::gusset_scene_encode_create.
+    explicit Stream(const Scene &scene, const StreamOptions &options = {}, const Context &context = Context()) {
+        const gusset_stream_options given = detail::as_c(options);
+        stream_.reset(context.result(gusset_scene_encode_create, scene.get(), &given));
     }
 
     /// Valid as long as this.
@@ -40,6 +45,12 @@ inline Net decode(Bytes bytes, uint64_t node_limit, const Context &context = Con
 }
 /// The same with the limit that the size gives.
 inline Net decode(Bytes bytes, const Context &context = Context()) { return decode(bytes, 0, context); }
+
+/// The scene of a stream; see gusset_scene_decode_create. All nets together have at most `node_limit` nodes; 0: 4096
+/// for each byte.
+inline Scene decode_scene(Bytes bytes, uint64_t node_limit = 0, const Context &context = Context()) {
+    return Scene(context.result(gusset_scene_decode_create, bytes.data(), bytes.size(), node_limit));
+}
 
 /// Reads the header of a stream; see gusset_stream_inspect.
 inline StreamReport inspect(Bytes bytes, const Context &context = Context()) {

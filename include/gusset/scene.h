@@ -164,6 +164,29 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_flatten_create(const struc
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_unflatten_create(const struct gusset_context *context,
     const struct gusset_net *net, gusset_direction direction, struct gusset_scene **scene);
 
+/*** Scenes as bytes */
+
+struct gusset_stream;
+
+struct gusset_stream_options;
+
+/// Encodes a scene as a stream: entries with their indices, groups, transforms and visibility, and each distinct net
+/// once.
+/// @param options of gusset_net_encode_create, for each net.
+/// @errors as gusset_net_encode_create
+/// @complexity O(nodes + entries + children), parallel by blocks of nets.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_encode_create(const struct gusset_context *context,
+    const struct gusset_scene *scene, const struct gusset_stream_options *options, struct gusset_stream **stream);
+
+/// Decodes the stream of a scene. Entries keep their indices; shared nets stay shared.
+/// Damaged and malicious streams do no harm: memory is at most 4096 nodes, or 96 KiB, a byte.
+/// @param data the whole stream.
+/// @param node_limit most nodes of all nets together; 0: no limit.
+/// @errors BAD_STREAM (byte)
+/// @complexity O(nodes + entries + children), parallel by blocks of nets.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_decode_create(const struct gusset_context *context,
+    const void *data, size_t size, uint64_t node_limit, struct gusset_scene **scene);
+
 #ifdef __cplusplus
 }
 #endif

@@ -73,7 +73,7 @@ typedef struct gusset_stream_report {
     uint32_t reserved;
 } gusset_stream_report;
 
-/// Bytes of an encoded net.
+/// Bytes of an encoded net or scene.
 typedef struct gusset_stream gusset_stream;
 
 /// Bytes of a stream.

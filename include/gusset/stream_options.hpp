@@ -8,7 +8,7 @@
 
 namespace gusset {
 
-/// Options of gusset_net_encode_create. See ::gusset_stream_options.
+/// Options of gusset_net_encode_create and gusset_scene_encode_create. See ::gusset_stream_options.
 struct StreamOptions {
     /// Rows of each independent block; 0: about 2^17 nodes, or all for RAW.
     std::size_t rows_per_block = 0;

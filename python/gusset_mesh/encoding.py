@@ -33,6 +33,15 @@ def bytes_of(data: Any) -> NDArray[np.uint8]:
     return array
 
 
+def stream_bytes(stream: Any) -> NDArray[np.uint8]:
+    """Returns the bytes of a stream, which the array keeps alive."""
+    view = sized("gusset_stream_view")
+    status = lib.gusset_stream_get_view(stream, view)
+    if status != 0:
+        raise error(status, "")
+    return lent(view.data, (view.size,), np.uint8, stream)
+
+
 def stream_inspect(data: Any) -> StreamReport:
     """Reads the header of a stream from its first 128 bytes or more."""
     array = bytes_of(data)
@@ -50,12 +59,8 @@ class NetEncoding(NetHandle):
         >>> bool(np.array_equal(gm.Net.decode(net.encode(mode="lossless")).nodes, net.nodes))
         True
         """
-        stream = create("stream", self._handle, structs("stream_options", options), name="net_encode", threads=threads, progress=progress)
-        view = sized("gusset_stream_view")
-        status = lib.gusset_stream_get_view(stream, view)
-        if status != 0:
-            raise error(status, "")
-        return lent(view.data, (view.size,), np.uint8, stream)
+        given = structs("stream_options", options)
+        return stream_bytes(create("stream", self._handle, given, name="net_encode", threads=threads, progress=progress))
 
     @classmethod
     def decode(cls, data: Any, node_limit: int = 0, *, threads: int = 0, progress: Optional[Progress] = None) -> Self:

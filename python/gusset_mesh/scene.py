@@ -14,9 +14,10 @@ from ._exclusive import Exclusive
 from ._handles import Handle, create
 from ._keywords import options as structs
 from ._library import ffi, lib, number_of
-from ._options import ConcatenateOptions, Unpack
+from ._options import ConcatenateOptions, StreamOptions, Unpack
 from ._reports import SceneEntryReport, SceneInstanceArray, SceneReport
 from .choices import Direction
+from .encoding import bytes_of, stream_bytes
 from .fields import affine_rows
 from .net import Net
 
@@ -51,6 +52,35 @@ class Scene(Exclusive, Handle):
         made._start(create("scene", handle_of("net", net), number_of("gusset_direction", "direction", direction), name="scene_unflatten",
                            threads=threads, progress=progress))
         return made
+
+    @classmethod
+    def decode(cls, data: Any, node_limit: int = 0, *, threads: int = 0, progress: Optional[Progress] = None) -> Scene:
+        """Decodes the stream of a scene. Entries keep their indices, and shared nets stay shared.
+
+        Args:
+            data: bytes, an array of bytes, or another buffer.
+            node_limit: largest number of nodes of all nets together; 0: no limit.
+
+        Raises:
+            InputError: the stream is damaged; ``index`` is the byte.
+        """
+        array, made = bytes_of(data), cls.__new__(cls)
+        limit = index(node_limit, "node_limit", 64)
+        made._start(create("scene", pointer(array), array.size, limit, name="scene_decode", threads=threads, progress=progress))
+        return made
+
+    def encode(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[StreamOptions]) -> NDArray[np.uint8]:
+        """Encodes entries, groups, maps, visibility and nets as bytes. A net that entries share is stored once.
+
+        >>> import gusset_mesh as gm
+        >>> scene = Scene()
+        >>> entries = [scene.add(gm.Net.primitive(shape="sphere", radius=1)), scene.add_group()]
+        >>> Scene.decode(scene.encode(mode="lossless")).report.nets
+        1
+        """
+        given = structs("stream_options", options)
+        with self._alone():
+            return stream_bytes(create("stream", self._handle, given, name="scene_encode", threads=threads, progress=progress))
 
     def add(self, net: Net) -> int:
         """Adds a net as a top-level entry, and returns the index of the entry."""

@@ -161,6 +161,22 @@ def test_streams_that_arrive_in_pieces():
     assert np.array_equal(decoder.finish().nodes, BALL.nodes)
 
 
+def test_scenes_come_back():
+    scene, sheet, inner, outer = nested()
+    hidden = scene.add(BALL)
+    scene.set_entry(hidden, visible=False)
+    scene.remove(scene.add_group())
+    data = scene.encode(mode="lossless")
+    back = gm.Scene.decode(data.tobytes())
+    assert back.children(outer).tolist() == [inner, inner] and not back.entry(hidden).visible
+    assert np.array_equal(back.entry(sheet).transform.rows, scene.entry(sheet).transform.rows)
+    assert np.array_equal(back.flatten().nodes, scene.flatten().nodes) and np.array_equal(back.net(hidden).nodes, BALL.nodes)
+    assert np.array_equal(back.encode(mode="lossless"), data) and back.add_group() == scene.add_group()
+    for bad in (b"", data[:-1], BALL.encode()):
+        with pytest.raises(gm.InputError):
+            gm.Scene.decode(bad)
+
+
 def test_damaged_streams_are_refused():
     data = BALL.encode(mode="lossless")
     random = np.random.default_rng(5)

@@ -27,6 +27,7 @@ mod reformat;
 mod resample;
 mod roll;
 mod scene;
+mod scene_stream;
 mod settle;
 mod space;
 mod stream;

@@ -4,8 +4,10 @@
 use crate::agree::agreed;
 use crate::input;
 use glam::DVec3;
+use gusset::Job;
 use gusset::mesh::Scalar;
-use gusset::net::scene::{EntryContent, Scene};
+use gusset::net::scene::{EntryContent, Scene, decode_scene_within, encode_scene};
+use gusset::net::stream::{StreamMode, StreamOptions};
 use gusset::net::{Net, Shape, Sides, Topology};
 use std::sync::Arc;
 
@@ -57,7 +59,14 @@ pub(crate) fn run(bytes: &[u8]) {
             }
         }
     }
+    let encoded = |scene: &Scene| {
+        encode_scene(scene, &StreamOptions::new(StreamMode::Lossless), &Job::default()).expect("a scene can be encoded")
+    };
+    let bytes = encoded(&scene);
+    let back = decode_scene_within(&bytes, u64::MAX, &Job::default()).expect("what was encoded can be decoded");
+    assert_eq!(encoded(&back), bytes);
     let counts = scene.count_elements().expect("memory");
+    assert_eq!(back.count_elements(), Ok(counts));
     if counts.instances < 5000 {
         let listed = agreed(choice, |job| scene.instances(job)).expect("few instances");
         let roots = (0..model.len() as u32).filter(|&k| is_entry(&model, k) && !has_parent(&model, k));

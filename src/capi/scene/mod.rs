@@ -3,6 +3,7 @@
 //! @source Deryagin; groups are our own.
 
 pub mod instances;
+pub mod transfer;
 
 use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::{constants, versioned};

@@ -28,7 +28,7 @@ pub const GUSSET_LEVELS_AUTO: gusset_stream_levels = 0;
 /// Levels of the box from low to high. Shared nodes of tiles with equal boxes stay equal.
 pub const GUSSET_LEVELS_GIVEN: gusset_stream_levels = 1;
 
-/// Options of gusset_net_encode_create.
+/// Options of gusset_net_encode_create and gusset_scene_encode_create.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stream_options {
@@ -86,8 +86,8 @@ pub struct gusset_stream_report {
     pub reserved: u32,
 }
 
-/// Bytes of an encoded net.
-pub struct gusset_stream(Vec<u8>);
+/// Bytes of an encoded net or scene.
+pub struct gusset_stream(pub(crate) Vec<u8>);
 
 handle! { gusset_stream }
 
@@ -111,7 +111,7 @@ handle! { gusset_stream_decoder }
 versioned! { gusset_stream_options: 88, gusset_stream_report: 104, gusset_stream_view: 24 }
 
 impl gusset_stream_options {
-    fn checked(self) -> Result<StreamOptions, Failure> {
+    pub(crate) fn checked(self) -> Result<StreamOptions, Failure> {
         let mode = match (self.mode, self.bits) {
             (GUSSET_STREAM_QUANTISED, 0) => StreamMode::Quantised { bits: 14 },
             (GUSSET_STREAM_QUANTISED, bits) => StreamMode::Quantised { bits },

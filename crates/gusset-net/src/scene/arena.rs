@@ -70,6 +70,55 @@ impl Scene {
         Scene::default()
     }
 
+    /// Returns the entries by their indices; `None` for removed ones.
+    pub(super) fn slots(&self) -> &[Option<SceneEntry>] {
+        &self.entries
+    }
+
+    /// Creates a scene from entries without parents. Children are indices below the number of
+    /// entries. If a group contains a removed entry, or itself on any path, the inner error is its
+    /// index. O(entries + children).
+    pub(super) fn from_entries(entries: Vec<Option<SceneEntry>>) -> Result<Result<Scene, u32>> {
+        let mut scene = Scene { entries, visit_marks: VisitMarks::default() };
+        for group in 0..scene.entries.len() as u32 {
+            scene.visit_marks.add_entry()?;
+            for k in 0.. {
+                let Some(EntryContent::Group(children)) = scene.slot(group).map(|entry| &entry.content) else { break };
+                let Some(&child) = children.get(k) else { break };
+                let Some(child) = &mut scene.entries[child as usize] else { return Ok(Err(group)) };
+                alloc::push(&mut child.parents, group)?;
+            }
+        }
+        Ok(match scene.find_entry_in_cycle()? {
+            Some(entry) => Err(entry),
+            None => Ok(scene),
+        })
+    }
+
+    /// Returns an entry from which a cycle can be left upwards only into the cycle: the first one
+    /// that stays after entries without remaining parents are removed one after another.
+    fn find_entry_in_cycle(&self) -> Result<Option<u32>> {
+        let mut parents_left =
+            alloc::collect(self.entries.iter().map(|entry| entry.as_ref().map_or(0, |e| e.parents.len())))?;
+        let mut free = alloc::gather((0..self.entries.len()).filter(|&index| parents_left[index] == 0))?;
+        while let Some(index) = free.pop() {
+            let Some(EntryContent::Group(children)) = self.slot(index as u32).map(|entry| &entry.content) else {
+                continue;
+            };
+            for &child in children {
+                parents_left[child as usize] -= 1;
+                if parents_left[child as usize] == 0 {
+                    alloc::push(&mut free, child as usize)?;
+                }
+            }
+        }
+        Ok(parents_left.iter().position(|&left| left > 0).map(|index| index as u32))
+    }
+
+    fn slot(&self, index: u32) -> Option<&SceneEntry> {
+        self.entries[index as usize].as_ref()
+    }
+
     /// Adds a net, in no group yet. Returns its index, which is never reused.
     ///
     /// # Errors

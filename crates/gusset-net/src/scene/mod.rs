@@ -7,12 +7,14 @@
 //! levels work as well as one.
 //!
 //! `arena` holds the entries, `reachability` detects cycles, `instances` lists instances, `flatten`
-//! joins a scene into one net.
+//! joins a scene into one net, `transfer` writes and reads scenes as bytes.
 
 mod arena;
 mod flatten;
 mod instances;
 mod reachability;
+mod transfer;
 
 pub use arena::{EntryChanges, EntryContent, Scene, SceneCounts};
 pub use instances::{Instance, MAX_INSTANCES};
+pub use transfer::{decode_scene_within, encode_scene};

@@ -26,9 +26,11 @@
 //! fitted to each block and stored with it. Residuals are range coded by adaptive models in the
 //! context of neighbouring residuals. Blocks are independent, so they can be coded in parallel,
 //! sent one at a time, and decoded as they arrive ([`StreamDecoder`]).
+//!
+//! A scene has a stream of its own, which contains the streams of its nets ([`encode_scene`](crate::scene::encode_scene)).
 
 mod block;
-mod bytes;
+pub(crate) mod bytes;
 mod coder;
 mod coordinate_rows;
 mod header;
