@@ -421,7 +421,7 @@ impl From<Error> for Failure {
             }
             NotRigid { pose } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pose, 0.0),
             InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),
-            InputUnfit { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
+            InputUnfit { input, .. } | CurveCount { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
             BadLoopPair { pair, piece, vertex, fault, .. } => {
                 let value = if fault == LoopPairFault::NoPiece { piece } else { vertex };
                 at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pair, value.into())

@@ -222,7 +222,7 @@ fn surfaces_through_sections_are_those_that_were_cut() {
     assert!(matches!(refused, Err(Error::InputUnfit { input: 0, .. })), "{refused:?}");
     let one = run("loft", &[Input::Curves(&parallels(2, 9))], &[("ring", &[1.0])]);
     let words = one.map_err(|error| error.to_string());
-    assert_eq!(words.err().as_deref(), Some("input 0: at least two curves are needed, or three for a ring"));
+    assert_eq!(words.err().as_deref(), Some("input 0 has 2 curves; the filter needs at least three for a ring"));
 }
 
 #[test]

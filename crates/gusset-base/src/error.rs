@@ -380,6 +380,14 @@ pub enum Error {
         /// The requirement.
         why: &'static str,
     },
+    /// An input has a number of curves that the filter does not take.
+    #[error("input {input} has {given} curve{}; the filter needs {needed}", if *.given == 1 { "" } else { "s" })]
+    CurveCount {
+        input: u32,
+        given: u64,
+        /// The number that it needs, in words.
+        needed: &'static str,
+    },
     /// A pair of loops in an option is unusable.
     #[error("pair {pair} of {option}: {}", .fault.describe_fault(*.piece, *.vertex))]
     BadLoopPair {

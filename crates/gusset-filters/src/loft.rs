@@ -97,7 +97,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let offsets = alloc::copied(&given.offsets)?;
     let outlines =
         Outlines { points: Points::from(&given.points[..]), offsets: Some(&offsets), closed, constraints: &[] };
-    let too_few = Error::InputUnfit { input: 0, why: "at least two curves are needed, or three for a ring" };
+    let too_few = Error::CurveCount {
+        input: 0,
+        given: sections.len() as u64,
+        needed: if values.ring { "at least three for a ring" } else { "at least two" },
+    };
     if sections.is_empty() {
         return Err(too_few);
     }

@@ -56,7 +56,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let (origin, axis) = (values.point, values.direction);
     let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.sub_job(0.0, 0.1))?;
     let [curve] = curves.as_slice() else {
-        return Err(Error::InputUnfit { input: 0, why: "one curve is needed" });
+        return Err(Error::CurveCount { input: 0, given: curves.len() as u64, needed: "one" });
     };
     let curve = curve.view();
     if curve.is_empty() {

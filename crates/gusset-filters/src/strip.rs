@@ -45,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     job.step(0.0, "strip")?;
     let curves = inputs[0].curves()?.polylines()?;
     let &[(a, closed), (b, other)] = curves.as_slice() else {
-        return Err(Error::InputUnfit { input: 0, why: "two curves are needed" });
+        return Err(Error::CurveCount { input: 0, given: curves.len() as u64, needed: "two" });
     };
     if closed != other {
         return Err(Error::InputUnfit { input: 0, why: "both curves must be closed, or both open" });

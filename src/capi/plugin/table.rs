@@ -288,7 +288,9 @@ fn run_and_locate_fault(
             _ => None,
         };
         let unfit = match error {
-            Error::InputUnfit { input, .. } | Error::MeshNotClosed { input, .. } => Some(input),
+            Error::InputUnfit { input, .. } | Error::CurveCount { input, .. } | Error::MeshNotClosed { input, .. } => {
+                Some(input)
+            }
             _ => None,
         };
         let (side, fault) = (error.side(), RunFault::from(error));
