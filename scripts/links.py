@@ -38,7 +38,7 @@ def html(path):
 
 @cache
 def markdown(path):
-    """Links outside code, and the places that headings make."""
+    """Links outside code, and the places that headings and `<a id>` make."""
     links, places, fenced = [], set(), False
     for number, line in enumerate(path.read_text().splitlines(), 1):
         fenced ^= line.startswith("```")
@@ -46,6 +46,7 @@ def markdown(path):
             continue
         if heading := re.match(r"#+ +(.*)", line):
             places.add(re.sub(r"[^\w\- ]", "", heading[1].lower()).replace(" ", "-"))
+        places.update(re.findall(r'<a id="([\w-]+)"></a>', line))
         links += [(number, target) for target in re.findall(r"\]\(([^()\s]+)\)", re.sub(r"`[^`]*`", "", line))]
     return links, places
 

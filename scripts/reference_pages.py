@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Doxygen's filter for the pages: names of the interface in `code` become links to the reference, outside blocks of code; and
 links to pictures and programs lead to where the site has them, beside its pages. Pages about the Rust sources name types of Rust,
-which are not the C++ classes of the same name. `build/docs/classes.xml` is doxygen's own list of classes."""
+which are not the C++ classes of the same name. Links to an `<a id>` become doxygen's own, because it does not find the page
+of others. `build/docs/classes.xml` is doxygen's own list of classes."""
 
 import json
 import re
@@ -29,6 +30,7 @@ def linked(text):
 
 
 def beside(text):
+    text = re.sub(r"\]\((?:[\w./-]+\.md)#([\w-]+)\)", r"](@ref \1)", text)
     return re.sub(r"\]\((?:(?:\.\./)+(?:[\w/]+/)?|docs/)([\w.]+\.(?!md)\w+)\)", r"](\1)", text)
 
 
