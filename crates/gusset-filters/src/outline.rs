@@ -13,7 +13,8 @@ use gusset_curve::{
 
 params! {
     curve: CurveKind = Param::choice("Curve", "The kind of curve that is drawn.", CurveKind::CHOICES);
-    method: Method = Param::choice("Method", "The line that holds the control point of a section.", Method::CHOICES);
+    method: Method =
+        Param::choice("Method", "The line at a point that determines its parameter on its section.", Method::CHOICES);
     lock: Lock = Param::choice("Constraint", "The condition that fixes the section of a point.", Lock::CHOICES);
     joint: JointParameter =
         Param::choice("Joints", "The joints between the sections of a composite curve.", JointParameter::CHOICES);
@@ -38,8 +39,10 @@ pub(super) const FILTER: Filter = Filter {
     id: "outline",
     name: "Smooth curves through points",
     category: CATEGORY,
-    help: "Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the \
-           middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point.",
+    help: "Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. By default the curve \
+           consists of quadratic sections, one for each point. The bisector, the median or the normal at the point determines the \
+           point's parameter on its section; the control point lies near this line. With the constraint Guide it lies on the \
+           line, where this is possible.",
     reference: REFERENCE,
     ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
