@@ -91,18 +91,24 @@ std::string indices(const std::string &file) {
 /// Fig. 3: a sheet rolls to a tube, and on to a sphere or to a torus; the gluing is found where sides have met.
 std::string forming(const std::string &file) {
     const double pi = 3.141592653589793;
-    Figure figure(960, 430);
+    Figure figure(960, 505);
     std::string text;
-    // Long texts are drawn smaller.
+    // All shapes of a row have one scale. Each has the width that it needs, and they fill the row.
     const auto row = [&](double y, const char *name, const gusset::Net &sheet, const gusset::Field &field,
-                         const std::array<double, 5> &scales, const char *letter) {
+                         const Point3 &eye, double below, const char *letter) {
         text += (text.empty() ? "" : "; ") + std::string(name) + " chi";
         const std::array<double, 5> parts{0, 0.3, 0.5, 0.75, 1};
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            gusset::Net net = sheet;
-            net.deform(field.with_strength(parts[k]));
+        const double gap = 30, margin = 30;
+        std::vector<gusset::Net> nets;
+        std::vector<std::array<double, 2>> spans;
+        double wide = 0;
+        figure.look(eye, 1);
+        figure.place(0, 0);
+        for (const double part : parts) {
+            nets.push_back(sheet);
+            gusset::Net &net = nets.back();
+            net.deform(field.with_strength(part));
             net.detect_gluing(1e-9);
-            const int64_t euler = gusset::NetComplex(net).euler();
             gusset::Point3 middle{};
             const auto points = net.points();
             for (const Point3 &p : points) {
@@ -111,22 +117,35 @@ std::string forming(const std::string &file) {
                 }
             }
             net.transform(gusset::Operation::translate({-middle[0], -middle[1], -middle[2]}));
-            figure.look({0.55, -1, 0.5}, scales[k]);
-            figure.place(105 + 188 * static_cast<double>(k), y);
-            const gusset::NetMesh mesh(net);
-            figure.mesh(mesh.mesh(), [&](std::size_t) { return Colour{150, 180, 210}; });
-            figure.label({105 + 188 * static_cast<double>(k), y + 100},
-                         "t = " + places(parts[k], 2) + ", χ = " + std::to_string(euler), "middle", 13);
-            text += " " + std::to_string(euler);
+            std::array<double, 2> span{0, 0};
+            for (const Point3 &p : net.points()) {
+                span[0] = std::min(span[0], figure.at(p)[0]), span[1] = std::max(span[1], figure.at(p)[0]);
+            }
+            wide += span[1] - span[0];
+            spans.push_back(span);
         }
-        figure.label({28, y - 70}, letter, "middle", 16);
+        const double scale = (960 - 2 * margin - gap * static_cast<double>(parts.size() - 1)) / wide;
+        double x = margin;
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const int64_t euler = gusset::NetComplex(nets[k]).euler();
+            figure.look(eye, scale);
+            figure.place(x - scale * spans[k][0], y);
+            const gusset::NetMesh mesh(nets[k]);
+            figure.mesh(mesh.mesh(), [&](std::size_t) { return Colour{150, 180, 210}; });
+            const double width = scale * (spans[k][1] - spans[k][0]);
+            figure.label({x + 0.5 * width, y + below}, "t = " + places(parts[k], 2) + ", χ = " + std::to_string(euler),
+                         "middle", 13);
+            text += " " + std::to_string(euler);
+            x += width + gap;
+        }
+        figure.label({28, y - 95}, letter, "middle", 16);
     };
     // The arc of the field is along x, the meridians along y and the height z, so that axes follow z.
     gusset::Net globe = gusset::Net::from_primitive(gusset::Primitive::plane(2 * pi, pi).with(13, 25));
     globe.transform(gusset::Operation::translate({pi, 0, 0}));
-    row(105, "sphere", globe, gusset::Field::wrap_sphere(gusset::Axis::z, 1), {25, 31, 40, 47, 60}, "а");
+    row(125, "sphere", globe, gusset::Field::wrap_sphere(gusset::Axis::z, 1), {0.55, -1, 0.5}, 115, "а");
     gusset::Net ring = gusset::Net::from_primitive(gusset::Primitive::plane(2 * pi, 2 * pi * 0.4).with(13, 25));
-    row(320, "torus", ring, gusset::Field::wrap_torus(gusset::Axis::z, 1, 0.4), {25, 26, 27, 34, 52}, "б");
+    row(370, "torus", ring, gusset::Field::wrap_torus(gusset::Axis::z, 1, 0.4), {-0.8, -0.5, 0.75}, 120, "б");
     figure.save(file);
     return text;
 }

@@ -110,33 +110,50 @@ std::string closures(const std::string &file) {
         {"а", "two poles", Net::from_primitive(Primitive::sphere(1).with(h, w))},
         {"б", "one pole", Net::from_primitive(Primitive::one_pole_sphere(1).with(h, w))},
         {"в", "cylinder", Net::from_primitive(Primitive::cylinder(0.75, 1.7).with(h, w))},
+        {"в", "prism", Net::from_primitive(Primitive::prism(6, 0.8, 1.7).with(h, w))},
         {"г", "cone", Net::from_primitive(Primitive::cone(0.95, 1.8).with(h, w))},
+        {"г", "pyramid", Net::from_primitive(Primitive::pyramid(4, 1.05, 1.8).with(h, w))},
         {"д", "torus", Net::from_primitive(Primitive::torus(0.85, 0.36).with(h, w))},
     };
-    Figure figure(960, 470, {0.5, -1, 0.65}, 72);
+    Figure figure(960, 410);
     std::string text;
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Net &net = all[k].net;
-        const double x = 100 + 190 * static_cast<double>(k), size = 10;
+        const double x = 70 + 136.5 * static_cast<double>(k), size = 8;
         const std::vector<uint8_t> matrix = net.matrix();
         const gusset::NetMesh mesh(net);
         const gusset::NetComplex complex(net);
-        figure.place(x, 95);
+        // The view shows a pole. The only pole of a disc may be below.
+        std::map<uint32_t, std::size_t> order;
+        for (const uint32_t one : net.classes()) {
+            ++order[one];
+        }
+        const bool only = std::string(all[k].name) == "one pole";
+        const Point3 eye{0.5, -1, only && net.at(0, 0)[2] < 0 ? -0.65 : 0.65};
+        figure.look(eye, 54);
+        figure.place(x, 85);
         figure.mesh(mesh.mesh(), [](std::size_t) { return Colour{150, 180, 210}; });
-        figure.label({x, 202},
+        for (const auto &[first, count] : order) {
+            const Point3 p = net.at(first / w, first % w);
+            if (count >= w && pictures::dot(p, eye) > 0) {
+                figure.dot(figure.at(p), 4, paper, red, 1.5);
+            }
+        }
+        figure.label({x, 178},
                      std::string(all[k].letter) + ": " + all[k].name + ", χ = " + std::to_string(complex.euler()),
-                     "middle", 14);
+                     "middle", 13);
         // Rows of horizontal and of vertical links by turns.
         figure.bits(
-            {x - 0.5 * size * static_cast<double>(w), 225}, 2 * h, w, size,
+            {x - 0.5 * size * static_cast<double>(w), 196}, 2 * h, w, size,
             [&](std::size_t i, std::size_t j) { return matrix[i * w + j] != 0; },
             [](std::size_t i, std::size_t) { return i % 2 == 0 ? red : blue; });
         const auto ones = std::count(matrix.begin(), matrix.end(), uint8_t{1});
-        figure.label({x, 430}, std::to_string(ones) + " ones", "middle", 14);
+        figure.label({x, 364}, std::to_string(ones) + " ones", "middle", 14);
         text += (k == 0 ? "" : "; ") + std::string(all[k].name) + " " + std::to_string(ones) + " ones, chi " +
                 std::to_string(complex.euler()) + (complex.is_closed() ? "" : ", open");
     }
-    figure.label({480, 458}, "links that are contracted: horizontal ones in red, vertical ones in blue", "middle", 13);
+    figure.label({480, 395}, "contracted links: horizontal ones in red, vertical ones in blue; circles: poles in view",
+                 "middle", 13);
     figure.save(file);
     return text;
 }

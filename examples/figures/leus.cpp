@@ -136,13 +136,16 @@ std::string sections(const std::string &file) {
     figure.place(165, 515);
     carcass(figure, sheet, 6, middle, false);
     plane(figure, end(-0.52), end(0.52), 1.15, 1.65);
-    for (const double k : {1.0, 2.0}) {
-        for (const auto direction : {SheetDirection::rows, SheetDirection::columns}) {
-            const gusset::Curve side = sheet.curve(direction, k).part(gusset::place(1, 0), gusset::place(1, 1));
-            const auto sampled = side.sample(gusset::SampleRule::count, 20);
-            figure.line(seen(figure, sampled.points()), {ink, 2, ""});
+    const auto border = [&] {
+        for (const double k : {1.0, 2.0}) {
+            for (const auto direction : {SheetDirection::rows, SheetDirection::columns}) {
+                const gusset::Curve side = sheet.curve(direction, k).part(gusset::place(1, 0), gusset::place(1, 1));
+                const auto sampled = side.sample(gusset::SampleRule::count, 20);
+                figure.line(seen(figure, sampled.points()), {ink, 2, ""});
+            }
         }
-    }
+    };
+    border();
     figure.line(seen(figure, inner), {blue, 2.5, ""});
     figure.line({figure.at(a), figure.at(b)}, {red, 2, "6 4"});
     for (const auto &[p, name] : {std::pair(a, "A"), std::pair(b, "B")}) {
@@ -153,30 +156,55 @@ std::string sections(const std::string &file) {
                  16, violet);
     figure.label({160, 322}, "а: chord and section");
 
-    figure.look({0.25, -1, 0.5}, 125);
-    figure.place(485, 255);
+    // From higher up, so that all four curves are in view, with the part of the plane above the surface.
+    figure.look({0.25, -1, 0.85}, 125);
+    figure.place(485, 268);
     carcass(figure, sheet, 4, [](std::size_t i, std::size_t j) { return i == 1 && j == 1 ? &taken : &pale; });
-    figure.line(seen(figure, section[0].points), {blue, 2.5, ""});
-    figure.line(seen(figure, cubic[0].points), {green, 2.5, "2 5"});
-    figure.line(seen(figure, four), {red, 1.8, "6 4"});
-    for (const Point3 &p : four) {
-        figure.dot(figure.at(p), 4, paper, red, 1.5);
+    const gusset::Points along_plane = section[0].points;
+    std::vector<Spot> above = seen(figure, along_plane);
+    for (const Point3 &p : {along_plane[along_plane.size() - 1], along_plane[0]}) {
+        above.push_back(figure.at({p[0], p[1], 1.75}));
     }
-    figure.label({485, 322}, "б: by neighbouring curves");
+    figure.area(above, violet, 0.2, {violet, 1, ""});
+    figure.label({above.back()[0] + (above.back()[0] < 485 ? 14 : -14), above.back()[1] + 20}, "P", "middle", 16,
+                 violet);
+    figure.line(seen(figure, section[0].points), {blue, 2, ""});
+    figure.line(seen(figure, cubic[0].points), {green, 4.5, "0.1 8"});
+    figure.line(seen(figure, four), {red, 1.8, "6 4"});
+    for (std::size_t k = 0; k < four.size(); ++k) {
+        const Spot spot = figure.at(four[k]);
+        figure.dot(spot, 4, paper, red, 1.5);
+        if (k == 1 || k == 2) {
+            figure.label({spot[0] + 4, spot[1] + 22}, (k == 1) == (a[0] < b[0]) ? "A" : "B", "middle", 15, red);
+        }
+    }
+    figure.label({485, 322}, "б: the cubic (dots) by four curves");
 
-    // Two planes across each other through the middle of the cell, parallel to its normal.
+    // Two planes across each other through a point of the cell, parallel to b, the mean of the normals at the corners.
     const gusset::SurfacePlace place = gusset::surface_place(0, 1, 1, 0.6, 0.45);
     const gusset::SurfacePoint exact = surface.evaluate(place);
     const Point3 at{exact.point[0], exact.point[1], exact.point[2]},
         true_normal{exact.normal[0], exact.normal[1], exact.normal[2]};
     const Point3 found = sheet.normals_by_sections({&place, 1})[0];
     const double sign = pictures::dot(found, true_normal) < 0 ? -1 : 1;
-    const Point3 across = pictures::unit(pictures::cross(true_normal, {0.3, 1, 0})),
-                 other = pictures::cross(true_normal, across);
-    figure.look({0.25, -1, 0.45}, 290);
-    figure.place(805, 550);
+    Point3 sum{};
+    for (const double u : {0.0, 1.0}) {
+        for (const double v : {0.0, 1.0}) {
+            const gusset::SurfacePoint corner = surface.evaluate(gusset::surface_place(0, 1, 1, u, v));
+            for (std::size_t k = 0; k < 3; ++k) {
+                sum[k] += corner.normal[k];
+            }
+        }
+    }
+    const Point3 mean = pictures::unit(sum);
+    const gusset::SurfacePoint centre = surface.evaluate(gusset::surface_place(0, 1, 1, 0.5, 0.5));
+    const Point3 across = pictures::unit(pictures::cross(mean, {centre.u[0], centre.u[1], centre.u[2]})),
+                 other = pictures::cross(mean, across);
+    figure.look({0.85, -1, 0.6}, 260);
+    figure.place(800, 520);
     carcass(figure, sheet, 6, middle, false);
-    for (const auto &[cut, name] : {std::pair(across, "P_1"), std::pair(other, "P_2")}) {
+    border();
+    for (const auto &[cut, name, colour] : {std::tuple(across, "P_1", violet), std::tuple(other, "P_2", ochre)}) {
         const auto two = surface.section(at, cut);
         std::vector<Point3> near;
         for (const Point3 &p : two[0].points) {
@@ -184,15 +212,22 @@ std::string sections(const std::string &file) {
                 near.push_back(p);
             }
         }
+        std::vector<Spot> above_cell = seen(figure, near);
+        for (const Point3 &p : {near.back(), near.front()}) {
+            above_cell.push_back(figure.at({p[0] + 0.22 * mean[0], p[1] + 0.22 * mean[1], p[2] + 0.22 * mean[2]}));
+        }
+        figure.area(above_cell, colour, 0.2, {colour, 1, ""});
         figure.line(seen(figure, near), {blue, 2.2, ""});
         const Point3 tangent = pictures::cross(true_normal, cut);
         const auto tip = [&](double s) {
             return Point3{at[0] + s * tangent[0], at[1] + s * tangent[1], at[2] + s * tangent[2]};
         };
         figure.arrow(figure.at(at), figure.at(tip(0.25)), {green, 2, ""});
-        const Spot spot =
-            figure.at(near.front()[0] + near.front()[1] < near.back()[0] + near.back()[1] ? near.front() : near.back());
-        figure.label({spot[0], spot[1] + 22}, name, "middle", 15, blue);
+        // At the upper corner that is farther aside.
+        const Spot foot = figure.at(at), &one = above_cell[near.size()], &two_tip = above_cell[near.size() + 1];
+        const Spot &tip_of_plane = std::abs(one[0] - foot[0]) > std::abs(two_tip[0] - foot[0]) ? one : two_tip;
+        figure.label({tip_of_plane[0] + (tip_of_plane[0] < foot[0] ? -14 : 14), tip_of_plane[1] + 6}, name, "middle",
+                     15, colour);
     }
     figure.arrow(
         figure.at(at),
@@ -391,10 +426,27 @@ std::string block(const std::string &file) {
         {730 - 0.5 * side * high, 30}, size, size, side,
         [&](std::size_t i, std::size_t k) { return search.mask(k, size - 1 - i); },
         [](std::size_t, std::size_t) { return violet; });
-    figure.dot({730 + side * (static_cast<double>(row) - 0.5 * high), 30 + side * (high - static_cast<double>(column))},
-               4.5, paper, red, 1.5);
-    figure.label({730, 418}, "the scale after the search: " + std::to_string(search.report.cells) + " of " +
-                                 std::to_string(size * size) + " cells");
+    const auto on_scale = [&](double u, double v) {
+        return Spot{730 + side * (u - 0.5 * high), 30 + side * (high - v)};
+    };
+    const double i = static_cast<double>(row), k = static_cast<double>(column), half = static_cast<double>(j);
+    figure.area({on_scale(i - half, k - half), on_scale(i + half, k - half), on_scale(i + half, k + half),
+                 on_scale(i - half, k + half)},
+                taken, 0.6, {red, 1.5, "6 4"});
+    for (const gusset::SurfacePath path : met) {
+        std::vector<Spot> line;
+        for (const gusset::SurfacePlace &at : path.places) {
+            line.push_back(on_scale(at.row + at.u, at.column + at.v));
+        }
+        figure.line(line, {paper, 2, ""});
+    }
+    figure.dot(on_scale(i, k), 4.5, paper, red, 1.5);
+    figure.label({on_scale(i, k)[0] + 12, on_scale(i, k)[1] + 20}, "A", "middle", 17, red);
+    figure.label({on_scale(high, 0)[0] + 14, on_scale(high, 0)[1] + 4}, "u", "middle", 15);
+    figure.label({on_scale(0, high)[0] - 12, on_scale(0, high)[1] + 10}, "v", "middle", 15);
+    figure.label({730, 402}, "the scale after the search: " + std::to_string(search.report.cells) + " of " +
+                                 std::to_string(size * size) + " cells are left (violet),");
+    figure.label({730, 421}, "with the section (white) and the cells round A (yellow)");
     figure.save(file);
     return "d " + places(d, 3) + ", r " + places(r, 3) + ", J " + std::to_string(j) + ", J d " +
            places(static_cast<double>(j) * d, 3) + "; " + std::to_string(search.report.cells) + " of " +

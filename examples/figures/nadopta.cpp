@@ -176,16 +176,18 @@ std::string chords(const std::string &file) {
 /// Fig. 3: the weights of the three control points of a quadratic, as heights of curves: 1 there and 0 elsewhere.
 std::string weights(const std::string &file) {
     Figure figure(960, 400);
-    const auto spot = [](double t, double j) { return Spot{240 + 480 * t, 345 - 300 * j}; };
+    const auto spot = [](double t, double j) { return Spot{110 + 480 * t, 345 - 300 * j}; };
     for (int k = 0; k <= 4; ++k) {
         const double x = 0.25 * k;
         figure.line({spot(x, 0), spot(x, 1)}, {faint, 1, ""});
         figure.line({spot(0, x), spot(1, x)}, {faint, 1, ""});
         figure.label({spot(x, 0)[0], 366}, places(x, 2), "middle", 12);
-        figure.label({228, spot(0, x)[1] + 4}, places(x, 2), "end", 12);
+        figure.label({98, spot(0, x)[1] + 4}, places(x, 2), "end", 12);
     }
     const std::array<Colour, 3> colours{blue, red, green};
-    const std::array<const char *, 3> names{"J_2,0 (previous point)", "J_2,1 (the point itself)", "J_2,2 (next point)"};
+    // By the subscripts of the paper, which number the control points of the whole outline.
+    const std::array<const char *, 3> names{"J_n,i-1 = (1 - t)²", "J_n,i = 2 t (1 - t)", "J_n,i+1 = t²"},
+        points{"previous base point P_i-1", "control point B_i", "next base point P_i+1"};
     constexpr int steps = 64;
     std::vector<double> sum(steps + 1);
     std::string text = "at t = 0.5";
@@ -202,13 +204,14 @@ std::string weights(const std::string &file) {
         }
         figure.line(line, {colours[k], 2.6, ""});
         text += " " + places(curve.point(gusset::place(0, 0.5))[1], 2);
-        const double y = 90 + 30 * static_cast<double>(k);
-        figure.line({{755, y - 5}, {780, y - 5}}, {colours[k], 2.6, ""});
-        figure.label({788, y}, names[k], "start", 14);
+        const double y = 110 + 60 * static_cast<double>(k);
+        figure.line({{650, y - 5}, {680, y - 5}}, {colours[k], 2.6, ""});
+        figure.label({692, y}, names[k], "start", 16);
+        figure.label({692, y + 22}, "weight of the " + std::string(points[k]), "start", 13);
     }
     const auto [low, high] = std::minmax_element(sum.begin(), sum.end());
     figure.label({spot(0.5, 0)[0], 390}, "t", "middle", 16);
-    figure.label({180, 200}, "J", "middle", 16);
+    figure.label({50, 200}, "J", "middle", 16);
     figure.save(file);
     return text + "; their sum is from " + places(*low, 12) + " to " + places(*high, 12);
 }

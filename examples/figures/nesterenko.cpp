@@ -27,7 +27,7 @@ std::string winged_edge(const std::string &file) {
     const gusset_winged_edge &edge = edges[a];
 
     Figure figure(960, 400);
-    const auto spot = [&](const Point3 &p) { return Spot{110 + 95 * p[0], 345 - 95 * p[1]}; };
+    const auto spot = [&](const Point3 &p) { return Spot{90 + 95 * p[0], 335 - 95 * p[1]}; };
     const auto vertex = [&](uint32_t v) { return spot(points[v]); };
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         std::vector<Spot> outline;
@@ -47,21 +47,31 @@ std::string winged_edge(const std::string &file) {
             figure.label({middle[0], middle[1] + 6}, on_left ? "L" : "R", "middle", 22, on_left ? blue : ochre);
         }
     }
-    for (const auto &[name, e, colour] : {std::tuple("b", edge.b, ochre), std::tuple("c", edge.c, blue),
-                                          std::tuple("d", edge.d, ochre), std::tuple("e", edge.e, blue)}) {
-        const Spot from = vertex(edges[e].m), to = vertex(edges[e].n);
+    // Each wing runs as its face does, clockwise: b and e leave the ends of a, c and d arrive at them.
+    const auto name_beside = [&](const Spot &from, const Spot &to, const char *name, const Colour &colour) {
+        const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
+        const Spot half = between(from, to, 0.5);
+        // Faces are on the right of their edges.
+        figure.label({half[0] - 18 * y / length, half[1] + 18 * x / length + 5}, name, "middle", 18, colour);
+    };
+    for (const auto &[name, e, leaves, colour] :
+         {std::tuple("b", edge.b, edge.n, ochre), std::tuple("c", edge.c, null, blue),
+          std::tuple("d", edge.d, null, ochre), std::tuple("e", edge.e, edge.m, blue)}) {
+        const uint32_t end = std::string(name) == "c" ? edge.n : edge.m;
+        const uint32_t start = leaves != null ? leaves : edges[e].m == end ? edges[e].n : edges[e].m;
+        const Spot from = vertex(start), to = vertex(edges[e].m == start ? edges[e].n : edges[e].m);
         figure.arrow(between(from, to, 0.06), between(from, to, 0.94), {colour, 2.5, ""});
-        const Spot middle = between(from, to, 0.5);
-        figure.label({middle[0], middle[1] + 5}, name, "middle", 18, colour);
+        name_beside(from, to, name, colour);
     }
-    const Spot m = vertex(edge.m), n = vertex(edge.n), middle = between(m, n, 0.5);
+    const Spot m = vertex(edge.m), n = vertex(edge.n);
     figure.arrow(m, between(m, n, 0.97), {red, 4, ""}, 14);
-    figure.label({middle[0], middle[1] + 5}, "a", "middle", 18, red);
+    name_beside(m, n, "a", red);
     for (std::size_t v = 0; v < points.size(); ++v) {
         figure.dot(vertex(static_cast<uint32_t>(v)), 4, v == edge.m || v == edge.n ? red : paper);
     }
-    figure.label({m[0] - 16, m[1] - 10}, "M", "middle", 18, red);
-    figure.label({n[0] + 16, n[1] - 10}, "N", "middle", 18, red);
+    figure.label({m[0], m[1] + 24}, "M", "middle", 18, red);
+    figure.label({n[0] + 16, n[1] - 14}, "N", "middle", 18, red);
+    figure.label({760, 372}, "arrows: a from M to N, its wings clockwise round L and R", "middle", 13);
     const std::array<std::pair<const char *, uint32_t>, 9> record{{{"a", a},
                                                                    {"M", edge.m},
                                                                    {"N", edge.n},
