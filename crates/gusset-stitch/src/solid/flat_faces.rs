@@ -18,6 +18,10 @@ use gusset_mesh::{Mesh, MeshView, half_edges, unordered};
 /// Two corners coincide if their distance is at most this fraction of the face's longest side.
 const MAX_COINCIDENT_RATIO: f64 = 1e-10;
 
+/// Two corners coincide, too, if their distance is at most this fraction of the face's largest coordinate: the rounding
+/// of the coordinates, below which a face [has no area](crate::check::Check::zero_area_faces).
+const MAX_COINCIDENT_ROUNDING: f64 = 24.0 * f64::EPSILON;
+
 /// Largest number of passes. Each one removes the faces without area that are not neighbours.
 const MAX_PASSES: usize = 64;
 
@@ -126,7 +130,8 @@ fn plan_removal(mesh: &Mesh, f: u32) -> Option<Removal> {
     let longest = (0..n).max_by(|&i, &k| length(i).total_cmp(&length(k)))?;
     let shortest = (0..n).min_by(|&i, &k| length(i).total_cmp(&length(k)))?;
     let [a, b] = [corners[longest], corners[(longest + 1) % n]];
-    if length(shortest) <= MAX_COINCIDENT_RATIO * length(longest) {
+    let rounding = MAX_COINCIDENT_ROUNDING * box_corner.max_element() / unit;
+    if length(shortest) <= rounding.max(MAX_COINCIDENT_RATIO * length(longest)) {
         let [u, v] = [corners[shortest], corners[(shortest + 1) % n]];
         return (u != v).then_some(Removal::Merge([u.min(v), u.max(v)]));
     }

@@ -15,8 +15,9 @@
 //! 7. Closed components are turned outwards.
 //! 8. If faces of closed components intersect, these are replaced by their [union](crate::arrange).
 //!
-//! The stages run again until nothing changes: at most four rounds in each of at most three passes. A stage is skipped if the mesh has not changed since
-//! its last run.
+//! The stages run again until nothing changes: at most four rounds in each of at most 16 passes. A pass starts like
+//! another repair of the mesh, so that a second repair changes nothing. A stage is skipped if the mesh has not changed
+//! since its last run.
 //!
 //! [`unite_solids`] is the last stage alone, for several closed pieces.
 //!
@@ -31,6 +32,7 @@
 //! | [`near_gaps`](self) | borders that nearly match |
 //! | [`flat_faces`](self) | faces without area |
 //! | [`duplicate_removal`](self) | duplicate faces |
+//! | [`filled_holes`](self) | holes |
 //! | [`vertex_contacts`](self) | components that share vertices |
 //! | [`edge_fans`](self) | the radial order of faces around an edge |
 //! | [`patches`](self) | faces that are connected across edges with two faces |
@@ -38,6 +40,8 @@
 //! | [`sheet_pairs`](self) | sheets of faces, and their own vertices |
 //! | [`united_parts`](self) | faces that intersect |
 //! | [`twin_edges`](self) | edges of one sheet that coincide |
+//! | [`largest_move`](self) | the largest move of a vertex |
+//! | [`mesh_shape`](self) | the faces without the numbers of vertices |
 //!
 //! Source: Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry*
 //! (2016), for the cells and their winding numbers; M. Attene, *A lightweight approach to repairing
@@ -46,7 +50,10 @@
 mod corner_place;
 mod duplicate_removal;
 mod edge_fans;
+mod filled_holes;
 mod flat_faces;
+mod largest_move;
+mod mesh_shape;
 mod near_gaps;
 mod patches;
 mod repair_request;

@@ -14,7 +14,6 @@ use crate::repair::near_borders::find_near_partners;
 use crate::repair::sew_edges::{free_edges, free_vertices};
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{NONE, Topology, unordered};
@@ -57,7 +56,6 @@ pub(super) fn close_near_gaps(state: &mut RepairState, job: &Job<'_>) -> Result<
             counts.sewn_edges += u32::from(unordered(ends) < unordered(other));
             for (v, partner) in ends.into_iter().zip(other).filter(|&(v, partner)| partner < v) {
                 alloc::push(&mut pairs, (v, partner))?;
-                counts.tolerance = counts.tolerance.max(overflow_safe_distance(position(v), position(partner)));
             }
         }
     }

@@ -94,7 +94,8 @@ pub struct Repaired {
     pub split_vertices: u32,
     /// The number of holes that were filled.
     pub filled_holes: u32,
-    /// The largest distance between merged vertices, at most; 0 if none were merged.
+    /// The largest distance from a corner of a remaining face of the input to the vertex of the input in its place: the
+    /// largest move of a vertex; 0 if no two vertices at different positions were merged.
     pub tolerance: f64,
     /// The defects that remain.
     pub after: Check,

@@ -3,7 +3,10 @@
 use super::corner_place::CornerPlace;
 use super::duplicate_removal::mark_duplicates;
 use super::edge_fans::EdgeFans;
+use super::filled_holes::fill_open_holes;
 use super::flat_faces::remove_flat_faces;
+use super::largest_move::measure_largest_move;
+use super::mesh_shape::MeshShape;
 use super::near_gaps::close_near_gaps;
 use super::patches::Patches;
 use super::repair_request::{DropReason, History, Options, Repaired};
@@ -12,11 +15,10 @@ use super::settled_stages::{SettledStages, Stage};
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
-use super::united_parts::{Uniting, unite_all_faces, unite_parts};
+use super::united_parts::{unite_all_faces, unite_parts};
 use super::vertex_contacts::separate_vertex_contacts;
 use crate::arrange::find_unbalanced_face;
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
-use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -29,16 +31,19 @@ use gusset_mesh::{MeshView, NONE, Opposite, Topology, concat};
 /// sheets can have borders that coincide.
 const MAX_ROUNDS: usize = 4;
 
-/// Largest number of times that all rounds run.
-const MAX_PASSES: usize = 3;
+/// Largest number of times that all rounds run. Each closing of gaps can bring others within reach.
+const MAX_PASSES: usize = 16;
+
+/// Largest number of unions of all faces.
+const MAX_UNIONS: usize = 3;
 
 const STAGE: &str = "repairing";
 
 /// Repairs a mesh: see [the stages](super).
 ///
 /// O(H log H) for H half-edges, plus the time of [`fill_holes`](crate::fill::fill_holes()) for each
-/// hole, and of the search for intersecting faces. Linear extra memory. A second repair of a
-/// valid result changes nothing.
+/// hole, and of the search for intersecting faces. Linear extra memory. A second repair changes
+/// nothing, unless the stages do not settle in the largest number of passes.
 ///
 /// # Errors
 /// * [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
@@ -81,8 +86,8 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
     };
     let mut run = RepairRun::start(pieces, &options, &job.sub_job(0.0, 0.05))?;
     require_closed(pieces, |piece, job| has_border(piece, |_| true, job), &job.sub_job(0.05, 0.1))?;
-    for pass in 0..MAX_PASSES {
-        let job = job.sub_job(0.1, 0.8).sub_job_of_item(pass, MAX_PASSES);
+    for pass in 0..MAX_UNIONS {
+        let job = job.sub_job(0.1, 0.8).sub_job_of_item(pass, MAX_UNIONS);
         match unite_all_faces(&mut run.state, &job.sub_job(0.0, 0.6)) {
             // All edges have two faces, but some pass an edge in the same direction.
             Err(Error::MeshNotClosed { .. }) if pass == 0 => {
@@ -125,6 +130,14 @@ fn has_border(mesh: &MeshView<'_>, counts: impl Fn(Opposite) -> bool, job: &Job<
     Ok(border.iter().any(|&h| counts(topology.opposite(h))))
 }
 
+/// The counts of changes that a result states.
+#[derive(Clone, Copy, Default)]
+struct ChangeCounts {
+    sewing: SewCounts,
+    split_vertices: u32,
+    filled_holes: u32,
+}
+
 /// A repair in progress.
 struct RepairRun<'o> {
     options: &'o Options,
@@ -132,15 +145,11 @@ struct RepairRun<'o> {
     inputs: Vec<[usize; 3]>,
     state: RepairState,
     settled: SettledStages,
-    counts: SewCounts,
-    split_vertices: u32,
-    filled_holes: u32,
+    counts: ChangeCounts,
     /// A face of the input of each sheet that was attached, and one of the sheet that it was attached to.
     attached_faces: Vec<[u32; 2]>,
     /// The pairs of faces that intersect, if the last stage found them and changed nothing.
     intersections: Option<Vec<[u32; 2]>>,
-    /// True if rounding made intersections that no round of a union removed.
-    is_rounding_unresolvable: bool,
 }
 
 impl<'o> RepairRun<'o> {
@@ -154,18 +163,15 @@ impl<'o> RepairRun<'o> {
             inputs: alloc::collect(pieces.iter().map(counts))?,
             state,
             settled: SettledStages::default(),
-            counts: SewCounts::default(),
-            split_vertices: 0,
-            filled_holes: 0,
+            counts: ChangeCounts::default(),
             attached_faces: Vec::new(),
             intersections: None,
-            is_rounding_unresolvable: false,
         })
     }
 
     /// Returns the result, with the defects that remain.
     fn conclude(self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> {
-        let RepairRun { mut state, inputs, counts, split_vertices, filled_holes, intersections, .. } = self;
+        let RepairRun { mut state, inputs, counts, intersections, .. } = self;
         let places = state.finish(inputs.iter().map(|&[.., faces]| faces).sum())?;
         let (after, intersections) = {
             let view = state.mesh.view(&job.sub_job(0.0, 0.1))?;
@@ -173,6 +179,7 @@ impl<'o> RepairRun<'o> {
             let search = |_| find_intersecting_faces(&view, &job.sub_job(0.5, 1.0));
             (after, intersections.ok_or(()).or_else(search)?)
         };
+        let tolerance = measure_largest_move(&state, pieces)?;
         job.step(1.0, STAGE)?;
         Ok(Repaired {
             history: history(&state, pieces, inputs, &places)?,
@@ -181,12 +188,12 @@ impl<'o> RepairRun<'o> {
             vertex_origin: state.vertex_origin,
             turned: state.turned,
             dropped: state.dropped,
-            welded_vertices: counts.welded_vertices,
-            sewn_edges: counts.sewn_edges,
-            split_faces: counts.split_faces,
-            split_vertices,
-            filled_holes,
-            tolerance: counts.tolerance,
+            welded_vertices: counts.sewing.welded_vertices,
+            sewn_edges: counts.sewing.sewn_edges,
+            split_faces: counts.sewing.split_faces,
+            split_vertices: counts.split_vertices,
+            filled_holes: counts.filled_holes,
+            tolerance,
             after,
             intersections,
         })
@@ -196,9 +203,9 @@ impl<'o> RepairRun<'o> {
     fn sew(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
         if !self.options.leave_borders && self.has_border(is_free, &job.sub_job(0.0, 0.2))? {
             let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.sub_job(0.2, 0.8))?;
-            self.counts.add(&counts);
+            self.counts.sewing.add(&counts);
             if round == 0 && self.options.tolerance.is_none() {
-                self.counts.add(&close_near_gaps(&mut self.state, &job.sub_job(0.8, 1.0))?);
+                self.counts.sewing.add(&close_near_gaps(&mut self.state, &job.sub_job(0.8, 1.0))?);
             }
         }
         Ok(())
@@ -210,19 +217,28 @@ impl<'o> RepairRun<'o> {
     }
 
     /// Runs all stages until nothing changes. Borders of separated sheets stay apart within a pass, and meet in the
-    /// next one, as in a second repair.
+    /// next one, as in a second repair. A pass is the last if no border is left, or if it only numbers vertices anew.
     fn run_rounds(&mut self, job: &Job<'_>) -> Result<()> {
+        let mut shape = MeshShape::from_mesh(&self.state.mesh)?;
         for pass in 0..MAX_PASSES {
-            let job = job.sub_job_of_item(pass, MAX_PASSES);
-            let copies = self.split_vertices;
+            // Later passes are shorter.
+            let [start, end] = [pass, pass + 1].map(|pass| pass as f64 / (pass + 1) as f64);
+            let job = job.sub_job(start, end);
+            let (before, counts) = (self.state.revision(), self.counts);
             for round in 0..MAX_ROUNDS {
-                let changes = self.state.changes;
+                let revision = self.state.revision();
                 self.run_stages(round, &job.sub_job(0.0, 0.95).sub_job_of_item(round, MAX_ROUNDS))?;
-                if self.state.changes == changes {
+                if self.state.revision() == revision {
                     break;
                 }
             }
-            if self.split_vertices == copies || !self.has_border(is_free, &job.sub_job(0.95, 1.0))? {
+            if self.state.revision() == before || !self.has_border(is_free, &job.sub_job(0.95, 1.0))? {
+                break;
+            }
+            let last = std::mem::replace(&mut shape, MeshShape::from_mesh(&self.state.mesh)?);
+            if shape == last {
+                // The pass joined what it separated again.
+                self.counts = counts;
                 break;
             }
         }
@@ -267,18 +283,7 @@ impl<'o> RepairRun<'o> {
         if self.options.leave_intersections {
             return Ok(());
         }
-        self.intersections = if self.is_rounding_unresolvable {
-            let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
-            Some(find_intersecting_faces(&view, &job.sub_job(0.1, 1.0))?)
-        } else {
-            match unite_parts(&mut self.state, job)? {
-                Uniting::Unchanged(pairs) => Some(pairs),
-                Uniting::Changed { is_clean } => {
-                    self.is_rounding_unresolvable = !is_clean;
-                    None
-                }
-            }
-        };
+        self.intersections = unite_parts(&mut self.state, job)?;
         Ok(())
     }
 
@@ -304,7 +309,7 @@ impl<'o> RepairRun<'o> {
             return Ok(());
         }
         let contacts = separate_vertex_contacts(&mut self.state, job)?;
-        self.split_vertices += contacts.copies;
+        self.counts.split_vertices += contacts.copies;
         contacts.faces.iter().try_for_each(|&[f, g]| self.list_attached([[f, g], [g, f]]))
     }
 
@@ -324,25 +329,7 @@ impl<'o> RepairRun<'o> {
         if self.options.leave_holes || !self.has_border(is_free, &job.sub_job(0.0, 0.2))? {
             return Ok(());
         }
-        let options = fill::Options { plan_only: false, outward: Outward::Keep, ..self.options.fill };
-        let filled = {
-            let view = self.state.mesh.view(&job.sub_job(0.2, 0.2))?;
-            fill_holes(&view, LoopSelection::All, &options, &job.sub_job(0.2, 1.0))?
-        };
-        let count = filled.holes.iter().filter(|hole| hole.status == HoleStatus::Filled).count() as u32;
-        if count == 0 {
-            return Ok(());
-        }
-        self.filled_holes += count;
-        self.state.changes += 1;
-        alloc::grow(&mut self.state.face_origin, filled.mesh.face_count(), NONE)?;
-        alloc::grow(&mut self.state.turned, filled.mesh.face_count(), false)?;
-        alloc::grow(&mut self.state.corner_places, filled.mesh.face_corners.len(), CornerPlace::NONE)?;
-        let old = self.state.vertex_origin.len() as u32;
-        let parents = filled.parents.iter().zip(&filled.weights).zip(old..);
-        alloc::extend(&mut self.state.new_vertices, parents.map(|((&parents, &weights), v)| (v, parents, weights)))?;
-        alloc::grow(&mut self.state.vertex_origin, filled.mesh.positions.len(), NONE)?;
-        self.state.mesh = filled.mesh;
+        self.counts.filled_holes += fill_open_holes(&mut self.state, &self.options.fill, &job.sub_job(0.2, 1.0))?;
         Ok(())
     }
 
@@ -359,7 +346,7 @@ impl<'o> RepairRun<'o> {
             let (twins, _) = self.find_sheets(&job.sub_job(0.6, 0.9))?;
             split_twin_edges(&mut self.state, &twins.pairs, &job.sub_job(0.9, 1.0))?;
         }
-        self.split_vertices += copies;
+        self.counts.split_vertices += copies;
         Ok(())
     }
 

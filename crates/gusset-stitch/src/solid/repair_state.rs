@@ -224,13 +224,16 @@ impl RepairState {
     }
 
     /// Removes vertices that no face uses. Puts the vertices of the input first, then new vertices on faces of the
-    /// input, whose places it returns. Lists dropped faces only if no part remains.
+    /// input, whose places it returns. Copies of a vertex follow each other in the order of their first corners, so that
+    /// another separation of them numbers them alike. Lists dropped faces only if no part remains.
     pub(super) fn finish(&mut self, input_faces: usize) -> Result<Vec<CornerPlace>> {
         let count = self.mesh.positions.len();
         let mut ranks = alloc::filled(None, count)?;
         let mut places = alloc::filled(CornerPlace::NONE, count)?;
-        for (&v, &place) in self.mesh.face_corners.iter().zip(&self.corner_places) {
+        let mut first_corners = alloc::filled(NONE, count)?;
+        for ((&v, &place), corner) in self.mesh.face_corners.iter().zip(&self.corner_places).zip(0..) {
             let v = v as usize;
+            first_corners[v] = first_corners[v].min(corner);
             if self.vertex_origin[v] == NONE && places[v] == CornerPlace::NONE {
                 places[v] = place;
             }
@@ -240,7 +243,12 @@ impl RepairState {
         let ranks = &ranks;
         let all = alloc::collect((0..count).map(|v| v as u32))?;
         let ranked = |rank: u32| all.iter().copied().filter(move |&v| ranks[v as usize] == Some(rank));
-        let order = alloc::gather(ranked(0).chain(ranked(1)).chain(ranked(2)))?;
+        let mut order = alloc::gather(ranked(0).chain(ranked(1)).chain(ranked(2)))?;
+        let origin = |v: u32| self.vertex_origin[v as usize];
+        let old = order.partition_point(|&v| origin(v) != NONE);
+        if !order[..old].is_sorted_by_key(|&v| origin(v)) {
+            order[..old].sort_unstable_by_key(|&v| (origin(v), first_corners[v as usize]));
+        }
         self.new_vertices.retain(|&(v, ..)| ranks[v as usize] == Some(2));
         let places = alloc::gather(ranked(1).map(|v| places[v as usize]))?;
         let mut numbers = alloc::filled(NONE, count)?;

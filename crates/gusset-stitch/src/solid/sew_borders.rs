@@ -16,7 +16,6 @@ pub(super) struct SewCounts {
     pub(super) welded_vertices: u32,
     pub(super) sewn_edges: u32,
     pub(super) split_faces: u32,
-    pub(super) tolerance: f64,
 }
 
 impl SewCounts {
@@ -25,7 +24,6 @@ impl SewCounts {
         self.welded_vertices += other.welded_vertices;
         self.sewn_edges += other.sewn_edges;
         self.split_faces += other.split_faces;
-        self.tolerance = self.tolerance.max(other.tolerance);
     }
 }
 
@@ -49,12 +47,8 @@ pub(super) fn sew_borders(
             sewn = all;
         }
     }
-    let counts = SewCounts {
-        welded_vertices: sewn.welded_vertices,
-        sewn_edges: sewn.sewn_edges,
-        split_faces: sewn.split_faces,
-        tolerance: if sewn.welded_vertices > 0 { sewn.tolerance } else { 0.0 },
-    };
+    let counts =
+        SewCounts { welded_vertices: sewn.welded_vertices, sewn_edges: sewn.sewn_edges, split_faces: sewn.split_faces };
     if counts.welded_vertices > 0 || counts.split_faces > 0 || sewn.dropped_faces > 0 {
         state.follow_sewing(sewn)?;
     }

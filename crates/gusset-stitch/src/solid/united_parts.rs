@@ -9,7 +9,7 @@ use crate::arrange::{Options, Union, unite, unite_with_suspects};
 use crate::check::find_intersecting_faces;
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::Result;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
@@ -18,52 +18,45 @@ use gusset_mesh::{FaceTriangles, Mesh, MeshView, NONE, Opposite, Topology};
 
 const STAGE: &str = "uniting parts";
 
-/// The outcome of uniting the parts of a mesh.
-pub(super) enum Uniting {
-    /// Nothing. These pairs of faces intersect.
-    Unchanged(Vec<[u32; 2]>),
-    /// Parts were united.
-    Changed {
-        /// True if no faces of the union intersect.
-        is_clean: bool,
-    },
-}
-
-/// Unites the closed components if faces of them intersect. A component that would lose most of its
-/// faces by itself stays: a folded sheet that was closed, for example.
-pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Uniting> {
+/// Unites the closed components if faces of them intersect. Returns the pairs of faces that intersect if nothing
+/// changes, and `None` otherwise. A component that would lose most of its faces by itself stays: a folded sheet that
+/// was closed, for example. All stay if rounding makes at least as many intersections as the union removes.
+pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Option<Vec<[u32; 2]>>> {
     let (closed, union) = {
         let view = state.mesh.view(&job.sub_job(0.0, 0.05))?;
         let pairs = find_intersecting_faces(&view, &job.sub_job(0.05, 0.2))?;
         if pairs.is_empty() {
-            return Ok(Uniting::Unchanged(pairs));
+            return Ok(Some(pairs));
         }
         let (is_closed, components) = closed_faces(&view, &job.sub_job(0.2, 0.3))?;
         let meets = BitSet::new(view.faces().len())?;
         let mut parts = ClosedParts { mesh: &state.mesh, components, is_closed, meets_others: meets };
-        if !parts.has_closed(&pairs) {
-            return Ok(Uniting::Unchanged(pairs));
+        if parts.count_closed(&pairs) == 0 {
+            return Ok(Some(pairs));
         }
         pairs.as_flattened().iter().for_each(|&f| parts.meets_others.insert(f));
         // Triangles of one face may overlap.
         let polygons = (0..view.faces().len()).filter(|&f| view.faces().corner_range(f).len() > 3);
         polygons.for_each(|f| parts.meets_others.insert(f as u32));
-        let (closed, union) = parts.unite_all(&job.sub_job(0.3, 0.5))?;
+        let Some((mut closed, mut union)) = parts.unite_all(&job.sub_job(0.3, 0.5))? else { return Ok(Some(pairs)) };
         let lost = parts.components_to_drop(&pairs, &closed, &union, &job.sub_job(0.5, 0.7))?;
-        if lost.is_empty() {
-            (closed, union)
-        } else {
+        if !lost.is_empty() {
             let is_lost = |f: usize| lost.binary_search(&parts.components[f]).is_ok();
             (0..parts.is_closed.len()).filter(|&f| is_lost(f)).for_each(|f| parts.is_closed[f] = false);
-            if !parts.has_closed(&pairs) {
-                return Ok(Uniting::Unchanged(pairs));
+            if parts.count_closed(&pairs) == 0 {
+                return Ok(Some(pairs));
             }
-            parts.unite_all(&job.sub_job(0.7, 0.9))?
+            let Some(united) = parts.unite_all(&job.sub_job(0.7, 0.9))? else { return Ok(Some(pairs)) };
+            (closed, union) = united;
         }
+        if union.intersections.len() >= parts.count_closed(&pairs) {
+            return Ok(Some(pairs));
+        }
+        (closed, union)
     };
     UnitedParts::new(&state.mesh, &closed, &union, &job.sub_job(0.9, 0.92))?
         .put_into(state, &job.sub_job(0.92, 1.0))?;
-    Ok(Uniting::Changed { is_clean: union.intersections.is_empty() })
+    Ok(None)
 }
 
 /// Replaces all faces by their union.
@@ -88,27 +81,31 @@ struct ClosedParts<'m> {
 }
 
 impl ClosedParts<'_> {
-    /// Returns true if both faces of a pair are closed.
-    fn has_closed(&self, pairs: &[[u32; 2]]) -> bool {
-        pairs.iter().any(|pair| pair.iter().all(|&f| self.is_closed[f as usize]))
+    /// Returns the number of pairs of closed faces.
+    fn count_closed(&self, pairs: &[[u32; 2]]) -> usize {
+        pairs.iter().filter(|pair| pair.iter().all(|&f| self.is_closed[f as usize])).count()
     }
 
-    /// Returns the closed faces, and their union.
-    fn unite_all(&self, job: &Job<'_>) -> Result<(Vec<u32>, Union)> {
+    /// Returns the closed faces, and their union if it exists.
+    fn unite_all(&self, job: &Job<'_>) -> Result<Option<(Vec<u32>, Union)>> {
         let closed = alloc::gather((0..).zip(&self.is_closed).filter(|&(_, &is_closed)| is_closed).map(|(f, _)| f))?;
         let union = self.unite(&closed, job)?;
-        Ok((closed, union))
+        Ok(union.map(|union| (closed, union)))
     }
 
-    /// Returns the union of some faces. Its vertices originate from the whole mesh.
-    fn unite(&self, faces: &[u32], job: &Job<'_>) -> Result<Union> {
+    /// Returns the union of some faces, whose vertices originate from the whole mesh. Returns `None` if the faces
+    /// with an area are not closed: the gaps between them are narrower than rounding.
+    fn unite(&self, faces: &[u32], job: &Job<'_>) -> Result<Option<Union>> {
         let (part, vertices) = select_faces(self.mesh, faces, &job.sub_job(0.0, 0.1))?;
         let mut meets = BitSet::new(faces.len())?;
         (0..).zip(faces).filter(|&(_, &f)| self.meets_others.contains(f)).for_each(|(k, _)| meets.insert(k));
         let part = part.view(&job.sub_job(0.1, 0.15))?;
-        let mut union = unite_with_suspects(&part, Some(&meets), &Options::default(), &job.sub_job(0.15, 1.0))?;
+        let mut union = match unite_with_suspects(&part, Some(&meets), &Options::default(), &job.sub_job(0.15, 1.0)) {
+            Err(Error::MeshNotClosed { .. }) => return Ok(None),
+            union => union?,
+        };
         union.vertex_origins.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = vertices[*v as usize]);
-        Ok(union)
+        Ok(Some(union))
     }
 
     /// Returns the components that intersect themselves and lose more than half of their faces, both in the union of
@@ -126,7 +123,7 @@ impl ClosedParts<'_> {
         for (k, &loser) in losers.iter().enumerate() {
             let faces = own.get(k);
             let union = self.unite(faces, &job.sub_job_of_item(k, losers.len()))?;
-            if 2 * union.dropped_faces.len() > faces.len() {
+            if union.is_none_or(|union| 2 * union.dropped_faces.len() > faces.len()) {
                 alloc::push(&mut lost, loser)?;
             }
         }
