@@ -36,6 +36,7 @@ mod regions;
 mod rows;
 mod seams;
 mod solid;
+mod solid_again;
 mod stitch;
 mod together;
 mod triangulate;

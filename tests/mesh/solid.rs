@@ -9,11 +9,11 @@ use gusset::solid::{DropReason, Options, Repaired, repair};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-type Cell = [i32; 3];
+pub(crate) type Cell = [i32; 3];
 
 /// The corners of the wall of a cell in direction `axis`, `up` or down, counter-clockwise from
 /// outside.
-fn wall(cell: Cell, axis: usize, up: bool) -> [Cell; 4] {
+pub(crate) fn wall(cell: Cell, axis: usize, up: bool) -> [Cell; 4] {
     let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
     let corner = |i: i32, j: i32| {
         let mut corner = cell;
@@ -40,7 +40,7 @@ fn directions() -> impl Iterator<Item = (usize, bool)> {
 }
 
 /// Walls as a mesh with common vertices.
-fn mesh_of(walls: impl IntoIterator<Item = [Cell; 4]>) -> Soup {
+pub(crate) fn mesh_of(walls: impl IntoIterator<Item = [Cell; 4]>) -> Soup {
     let mut numbers = BTreeMap::new();
     let mut soup = Soup { offsets: vec![0], ..Soup::default() };
     for wall in walls {
@@ -56,7 +56,7 @@ fn mesh_of(walls: impl IntoIterator<Item = [Cell; 4]>) -> Soup {
 }
 
 /// The walls between cells of the set and others, outwards.
-fn outer_walls(cells: &BTreeSet<Cell>) -> Vec<[Cell; 4]> {
+pub(crate) fn outer_walls(cells: &BTreeSet<Cell>) -> Vec<[Cell; 4]> {
     let of_cell = |&cell: &Cell| {
         directions()
             .filter(move |&(axis, up)| !cells.contains(&neighbour(cell, axis, up)))
@@ -103,12 +103,12 @@ fn repaired(soup: &Soup) -> Repaired {
     repair(&soup.view(), &Options::default(), &Job::default()).unwrap()
 }
 
-fn volume_of(repaired: &Repaired) -> f64 {
+pub(crate) fn volume_of(repaired: &Repaired) -> f64 {
     volume(|v| repaired.mesh.positions.get(v).to_array(), faces_of(&repaired.mesh))
 }
 
 /// Checks edges and fans by hashing, unlike the library.
-fn assert_manifold(repaired: &Repaired) {
+pub(crate) fn assert_manifold(repaired: &Repaired) {
     assert!(edge_counts(faces_of(&repaired.mesh)).values().all(|&count| count == (1, 1)), "{:?}", repaired.after);
     let mut next: HashMap<u32, HashMap<u32, u32>> = HashMap::new();
     for face in faces_of(&repaired.mesh) {
@@ -167,7 +167,7 @@ fn assert_origins(soup: &Soup, repaired: &Repaired) {
 }
 
 /// The mesh with own vertices for each face.
-fn scattered(soup: &Soup) -> Soup {
+pub(crate) fn scattered(soup: &Soup) -> Soup {
     let mut all = Soup { offsets: vec![0], ..Soup::default() };
     for face in soup.faces() {
         let first = all.points.len() as u32;
@@ -178,16 +178,16 @@ fn scattered(soup: &Soup) -> Soup {
 }
 
 /// Numbers by a linear congruence.
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    fn below(&mut self, limit: usize) -> usize {
+    pub(crate) fn below(&mut self, limit: usize) -> usize {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         ((self.0 >> 33) as usize) % limit
     }
 }
 
-fn shuffled<T>(mut items: Vec<T>, seed: u64) -> Vec<T> {
+pub(crate) fn shuffled<T>(mut items: Vec<T>, seed: u64) -> Vec<T> {
     let mut random = Random(seed);
     for k in (1..items.len()).rev() {
         items.swap(k, random.below(k + 1));

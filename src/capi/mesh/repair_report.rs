@@ -54,7 +54,7 @@ pub struct gusset_repair_report {
     pub bad_faces_left: u32,
     /// 0.
     pub reserved: u32,
-    /// Largest distance of merged vertices; 0 without any.
+    /// Largest move of a remaining vertex onto another; 0 without any.
     pub tolerance: f64,
     /// Old face that each face is or is part of; UINT32_MAX for patches, which come last.
     pub face_origin: gusset_indices,

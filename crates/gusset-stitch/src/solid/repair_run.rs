@@ -217,7 +217,7 @@ impl<'o> RepairRun<'o> {
     }
 
     /// Runs all stages until nothing changes. Borders of separated sheets stay apart within a pass, and meet in the
-    /// next one, as in a second repair. A pass is the last if no border is left, or if it only numbers vertices anew.
+    /// next one, as in a second repair. A pass is the last if it settles without a border, or only numbers vertices anew.
     fn run_rounds(&mut self, job: &Job<'_>) -> Result<()> {
         let mut shape = MeshShape::from_mesh(&self.state.mesh)?;
         for pass in 0..MAX_PASSES {
@@ -225,14 +225,16 @@ impl<'o> RepairRun<'o> {
             let [start, end] = [pass, pass + 1].map(|pass| pass as f64 / (pass + 1) as f64);
             let job = job.sub_job(start, end);
             let (before, counts) = (self.state.revision(), self.counts);
+            let mut is_settled = false;
             for round in 0..MAX_ROUNDS {
                 let revision = self.state.revision();
                 self.run_stages(round, &job.sub_job(0.0, 0.95).sub_job_of_item(round, MAX_ROUNDS))?;
-                if self.state.revision() == revision {
+                is_settled = self.state.revision() == revision;
+                if is_settled {
                     break;
                 }
             }
-            if self.state.revision() == before || !self.has_border(is_free, &job.sub_job(0.95, 1.0))? {
+            if self.state.revision() == before || is_settled && !self.has_border(is_free, &job.sub_job(0.95, 1.0))? {
                 break;
             }
             let last = std::mem::replace(&mut shape, MeshShape::from_mesh(&self.state.mesh)?);
