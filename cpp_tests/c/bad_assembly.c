@@ -172,7 +172,7 @@ static void stitch_options(void) {
     options.struct_size = offsetof(gusset_stitch_options, fairing);
     EXPECT(GUSSET_OK, gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));
     gusset_result_destroy(stitch);
-    options.struct_size = offsetof(gusset_stitch_options, intersections);
+    options.struct_size = offsetof(gusset_stitch_options, centres);
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
           gusset_stitch(context, &up, NULL, &down, NULL, &options, &stitch));
     options.struct_size = sizeof options, options.fairing = GUSSET_FAIRING_THIN_PLATE;

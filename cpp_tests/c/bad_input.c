@@ -66,6 +66,10 @@ static void meshes(void) {
     REFUSED(m.reserved = 1, GUSSET_ERROR_UNKNOWN_VALUE, GUSSET_ELEMENT_NONE, 0);
     REFUSED(m.struct_size = 0, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
     REFUSED(m.struct_size = 71, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
+    /* A size that ends within a pointer, of which it would keep the low bytes. */
+    for (size_t size = offsetof(gusset_mesh_view, merge) + 1; size < sizeof(gusset_mesh_view); ++size) {
+        REFUSED((m.merge = offsets, m.struct_size = size), GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
+    }
     REFUSED(m.struct_size = SIZE_MAX, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
 
     /* Arrays that are not there. */

@@ -163,9 +163,9 @@ static inline int torture_hostile(enum torture_kind kind, size_t n, const void *
         TORTURE_FROM(strides);
     }
     case TORTURE_STRUCT_SIZE: {
-        const uint64_t sizes[] = {0, 1, 8, whole - 8, whole - 1, whole + 1, whole + 8, whole + 64, SIZE_MAX};
+        const uint64_t sizes[] = {0, 1, 8, whole - 8, whole - 5, whole - 1, whole + 1, whole + 8, whole + 64, SIZE_MAX};
 #ifdef __SANITIZE_ADDRESS__ /* What is longer than the program's is read past its end. */
-        if (n > 4) return 0;
+        if (n > 5) return 0;
 #endif
         TORTURE_FROM(sizes);
     }

@@ -346,11 +346,18 @@ fn struct_size<T: VersionedStruct>(pointer: *const T, name: &'static str) -> Res
     check_struct_size(T::MIN_SIZE, size_of::<T>(), size, name)
 }
 
-/// Fails if `size` is smaller than the first version, or larger than any.
+/// Fails if `size` is smaller than the first version, larger than any, or not a size of a struct.
+///
+/// The size of a struct is a multiple of the size of its first field. Numbers and pointers are not
+/// larger and lie at multiples of their sizes. A valid size therefore ends between two of them, so
+/// that each is read or written as a whole or not at all.
 fn check_struct_size(min: usize, known_size: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
-    if size < min || size > 4096 {
-        let message =
-            format!("{name} has struct_size {size}; it must be from {min} to 4096, and {known_size} in this version");
+    const STEP: usize = size_of::<usize>();
+    if size < min || size > 4096 || !size.is_multiple_of(STEP) {
+        let message = format!(
+            "{name} has struct_size {size}; it must be a multiple of {STEP} from {min} to 4096, and {known_size} in \
+             this version"
+        );
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }
     Ok(size)
@@ -361,4 +368,60 @@ pub(crate) fn checked_product(count: usize, each: usize, what: &'static str) -> 
     let product = count.checked_mul(each);
     product
         .ok_or_else(|| Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{VersionedStruct, output_struct, read_versioned_struct};
+    use std::ptr;
+
+    /// A struct whose second version added two numbers and a pointer.
+    #[repr(C)]
+    #[derive(Clone, Copy)]
+    struct Grown {
+        struct_size: usize,
+        first: u64,
+        low: u32,
+        high: u32,
+        pointer: *const u8,
+    }
+
+    // SAFETY: repr(C), plain numbers and a pointer, with the size first.
+    unsafe impl VersionedStruct for Grown {
+        const MIN_SIZE: usize = 16;
+    }
+
+    /// Every bit is 1, except in the size.
+    fn full(struct_size: usize) -> [Grown; 2] {
+        let pointer = ptr::without_provenance(usize::MAX);
+        [Grown { struct_size, first: u64::MAX, low: u32::MAX, high: u32::MAX, pointer }; 2]
+    }
+
+    #[test]
+    fn a_size_inside_a_field_is_refused_by_readers_and_writers() {
+        for size in 0..=size_of::<Grown>() {
+            let mut given = full(size);
+            let read = read_versioned_struct(&raw const given[0], false, "grown");
+            let written = output_struct(&raw mut given[0], "grown");
+            assert_eq!(read.is_ok(), [16, 24, 32].contains(&size), "{size}");
+            assert_eq!(written.is_ok(), read.is_ok(), "{size}");
+            let (Ok(read), Ok(written)) = (read, written) else { continue };
+            assert_eq!([read.low, read.high], if size > 16 { [u32::MAX; 2] } else { [0; 2] });
+            assert_eq!(read.pointer.addr(), if size > 24 { usize::MAX } else { 0 });
+            written.write_known_fields(full(0)[0]);
+            assert_eq!(given[0].struct_size, size);
+            assert_eq!(given[0].pointer.addr(), usize::MAX, "beyond the struct, or written as a whole");
+        }
+    }
+
+    #[test]
+    fn a_size_beyond_this_version_is_a_multiple_too() {
+        for size in 33..=64 {
+            let mut given = full(size);
+            // SAFETY: the bytes beyond this version are within the array.
+            unsafe { (&raw mut given[0]).add(1).write_bytes(0, 1) };
+            let read = read_versioned_struct(&raw const given[0], false, "grown");
+            assert_eq!(read.is_ok(), size % 8 == 0, "{size}");
+        }
+    }
 }

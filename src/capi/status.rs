@@ -24,7 +24,7 @@ pub enum gusset_status {
     GUSSET_ERROR_NULL_ARGUMENT = 1,
     /// A pointer to a struct, a handle or an output is misaligned.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
-    /// struct_size is smaller than the first version of the struct.
+    /// struct_size is not the size of the struct in any version.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
     /// A choice, a reserved field or a field unknown to this version has an unknown value.
     GUSSET_ERROR_UNKNOWN_VALUE = 4,
