@@ -7,11 +7,10 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::job::{Job, Progress};
-use crate::threads::{lock, run_beside};
+use crate::threads::{count_processors, lock, run_beside};
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, PoisonError};
-use std::thread;
 use std::time::Duration;
 
 /// The longest time between two progress reports while a thread waits for another.
@@ -305,13 +304,13 @@ pub fn split_into_ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item
     (0..len.div_ceil(size)).map(move |i| i * size..len.min((i + 1) * size))
 }
 
-/// Resolves a number of threads: 0 means as many as the machine has. The result is at most `limit`
+/// Resolves a number of threads: 0 means as many as there are processors for this thread. The result is at most `limit`
 /// and at least 1.
 pub fn resolve_thread_count(limit: usize, threads: usize) -> usize {
     match threads {
         // Asking the system takes longer than a small job.
         _ if limit <= 1 => 1,
-        0 => thread::available_parallelism().map_or(1, usize::from).min(limit),
+        0 => count_processors().min(limit),
         n => n.min(limit),
     }
 }
@@ -415,7 +414,7 @@ mod tests {
             job.step(0.0, "endless")?;
         };
         let fails = |_: &Job<'_>| -> Result<()> { std::panic::panic_any("of work") };
-        let passed_on = |found: thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
+        let passed_on = |found: std::thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
         for threads in [1, 2] {
             let job = Job::new(threads, &NeverCancels);
             let first =

@@ -18,6 +18,26 @@ pub fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut
     started::run_beside(helpers, help, lead);
 }
 
+/// Returns the number of processors on which the calling thread may run, at least 1.
+///
+/// It opens no files: sandboxes may end a process that does. The standard library would read the
+/// control groups of the process. Processor time that they limit is therefore not taken into
+/// account.
+#[cfg(target_os = "linux")]
+pub fn count_processors() -> usize {
+    // The kernel refuses a mask with fewer bits than processors. It supports at most 8192.
+    let mut mask = [0_u64; 1024];
+    // SAFETY: the call writes at most the given number of bytes, which the mask has.
+    let written = unsafe { libc::sched_getaffinity(0, size_of_val(&mask), mask.as_mut_ptr().cast()) };
+    if written == 0 { mask.iter().map(|bits| bits.count_ones() as usize).sum::<usize>().max(1) } else { 1 }
+}
+
+/// Returns the number of threads that the system advises, at least 1.
+#[cfg(not(target_os = "linux"))]
+pub fn count_processors() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}
+
 /// Locks a mutex that is held for a few instructions at a time. It spins instead of sleeping,
 /// because the thread sanitizer cannot see how the standard library sleeps. A panic does not poison
 /// the data, since no update takes two steps.
@@ -125,7 +145,7 @@ mod started {
 
 #[cfg(test)]
 mod tests {
-    use super::run_beside;
+    use super::{count_processors, run_beside};
     use std::panic::{AssertUnwindSafe, catch_unwind};
     use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -148,5 +168,30 @@ mod tests {
         let fails = || std::panic::panic_any("another");
         let passed_on = catch_unwind(AssertUnwindSafe(|| run_beside(3, &fails, &mut |_| ())));
         assert_eq!(*passed_on.unwrap_err().downcast::<&str>().unwrap(), "another");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn processors_are_those_of_the_thread() {
+        let bind = |mask: &libc::cpu_set_t| {
+            // SAFETY: the call reads the mask.
+            unsafe { libc::sched_setaffinity(0, size_of_val(mask), mask) }
+        };
+        // Another thread, because the mask belongs to one.
+        let bound = std::thread::spawn(move || {
+            // SAFETY: a mask of zeros is valid, and the call writes at most its size.
+            let (all, mut one) = unsafe {
+                let mut all: libc::cpu_set_t = std::mem::zeroed();
+                assert_eq!(libc::sched_getaffinity(0, size_of_val(&all), &raw mut all), 0);
+                (all, std::mem::zeroed())
+            };
+            // SAFETY: all numbers are within the masks.
+            let allowed: Vec<_> = (0..1024).filter(|&k| unsafe { libc::CPU_ISSET(k, &all) }).collect();
+            assert_eq!(count_processors(), allowed.len());
+            // SAFETY: as above.
+            unsafe { libc::CPU_SET(allowed[allowed.len() - 1], &mut one) };
+            (bind(&one), count_processors())
+        });
+        assert_eq!(bound.join().unwrap(), (0, 1));
     }
 }
