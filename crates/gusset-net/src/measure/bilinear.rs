@@ -53,8 +53,11 @@ const GAUSS_RULE_7: [[f64; 2]; 7] = [
 const MAX_NORMAL_RATIO_3: f64 = 1.0 / 64.0;
 /// The largest ratio for seven nodes: singularities are 7 half sides away, and 13.9^-14 = 1e-16.
 const MAX_NORMAL_RATIO_7: f64 = 0.25;
-/// The maximum number of halvings of an interval.
+/// The maximum depth of halved intervals.
 const MAX_INTERVAL_HALVINGS: u32 = 48;
+/// The maximum number of halved intervals. Near a kink one of the halves agrees soon, so few
+/// intervals are needed.
+const MAX_HALVED_INTERVALS: u32 = 1024;
 /// The relative rounding error of a patch's area.
 const RELATIVE_ROUNDING_ERROR: f64 = 16.0 * f64::EPSILON;
 
@@ -89,18 +92,29 @@ impl BilinearArea {
     }
 }
 
-fn patch_area([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
-    let (p, q, e) = (b - a, d - a, (a - b) + (c - d));
-    // A unit in which the eighth powers of lengths are in range.
-    let unit = common_unit([&p, &q, &e]);
-    let [p, q, e] = [p, q, e].map(|side| side / unit);
-    let found = patch_area_from_sides(p, q, e, (c - b) / unit);
-    BilinearArea { area: found.area * unit * unit, error_bound: found.error_bound * unit * unit }
+fn patch_area(corners: [DVec3; 4]) -> BilinearArea {
+    let (sides, units) = scale_sides(corners);
+    let found = patch_area_from_sides(sides);
+    let in_units_of_host = |area: f64| units.iter().fold(area, |area, unit| area * unit * unit);
+    BilinearArea { area: in_units_of_host(found.area), error_bound: in_units_of_host(found.error_bound) }
+}
+
+/// Returns the vectors b - a, d - a, the twist e and c - b of a patch, divided by two units, so that
+/// the eighth powers of lengths are in range. The first unit is at least 2^-900; subnormal sides
+/// need the second.
+fn scale_sides([a, b, c, d]: [DVec3; 4]) -> ([DVec3; 4], [f64; 2]) {
+    let mut sides = [b - a, d - a, (a - b) + (c - d), c - b];
+    let units = [(); 2].map(|()| {
+        let unit = common_unit(&sides);
+        sides = sides.map(|side| side / unit);
+        unit
+    });
+    (sides, units)
 }
 
 /// Returns the area of a patch, given its sides at the first corner, its twist, and the vector from
 /// the second to the third corner.
-fn patch_area_from_sides(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
+fn patch_area_from_sides([p, q, e, other]: [DVec3; 4]) -> BilinearArea {
     let (n0, n1, n2) = (p.cross(q), p.cross(e), e.cross(q));
     let middle = (p + other).cross(q - p).length() / 2.0;
     let change = n1.length() + n2.length();
@@ -148,7 +162,8 @@ fn mean_distance_from_origin(p: DVec3, q: DVec3) -> f64 {
 }
 
 /// Returns the integral over an interval, by halving until halves and wholes agree within the
-/// tolerance twice in a row, because a single agreement may be chance.
+/// tolerance twice in a row, because a single agreement may be chance. The error bound covers
+/// intervals that do not agree after the maximum number of halvings.
 fn integrate_adaptively(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> BilinearArea {
     let gauss = |from: f64, width: f64| {
         width * GAUSS_RULE_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>()
@@ -157,16 +172,63 @@ fn integrate_adaptively(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], toleranc
     // Open intervals, the leftmost on top: start, width, integral, depth, and whether the parent
     // interval agreed.
     let mut open = vec![(start, end - start, gauss(start, end - start), 0, false)];
+    let mut halved = 0;
     while let Some((from, width, whole, depth, agreed)) = open.pop() {
         let half = width / 2.0;
         let [left, right] = [from, from + half].map(|from| gauss(from, half));
         let difference = (left + right - whole).abs();
         let agrees = difference <= tolerance;
-        if (agrees && agreed) || depth == MAX_INTERVAL_HALVINGS || difference.is_nan() {
+        let is_last = depth == MAX_INTERVAL_HALVINGS || halved == MAX_HALVED_INTERVALS;
+        if (agrees && agreed) || is_last || difference.is_nan() {
             found = found.add(BilinearArea { area: left + right, error_bound: difference });
         } else {
+            halved += 1;
             open.extend([(from + half, half, right, depth + 1, agrees), (from, half, left, depth + 1, agrees)]);
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_HALVED_INTERVALS, integrate_adaptively, patch_area_from_sides, scale_sides};
+    use glam::DVec3;
+    use std::cell::Cell;
+
+    #[test]
+    fn an_integrand_that_never_agrees_ends_the_halving() {
+        let calls = Cell::new(0_u32);
+        let noise = |v: f64| {
+            calls.set(calls.get() + 1);
+            (v.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64
+        };
+        let found = integrate_adaptively(&noise, [0.0, 1.0], 0.0);
+        // A rule of 7 nodes for both halves of each interval that was open.
+        assert!(calls.get() <= 14 * (2 * MAX_HALVED_INTERVALS + 2), "{}", calls.get());
+        assert!(found.area.is_finite() && found.error_bound > 0.0);
+    }
+
+    #[test]
+    fn cells_of_any_size_have_the_sides_of_one_size() {
+        let mut state = 60_u64;
+        let mut integer = || {
+            state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);
+            (state >> 48) as f64 - 32768.0
+        };
+        for _ in 0..200 {
+            let corners = [(); 4].map(|()| DVec3::new(integer(), integer(), integer()));
+            let expected = scale_sides(corners);
+            // At 2^-1074 the coordinates are the smallest numbers.
+            for exponent in [-1074, -1050, -1000, -900, -500, 0, 500, 900] {
+                // In two steps, because the power itself may be subnormal.
+                let [half, rest] = [exponent / 2, exponent - exponent / 2].map(|k| 2f64.powi(k));
+                let (sides, units) = scale_sides(corners.map(|p| p * half * rest));
+                let largest = sides.iter().fold(0.0, |m: f64, side| m.max(side.abs().max_element()));
+                assert!((1.0..2.0).contains(&largest), "{exponent}: {largest}");
+                assert_eq!(sides, expected.0, "{exponent}");
+                assert_eq!(units[0] * units[1], expected.1[0] * half * rest, "{exponent}");
+                assert_eq!(patch_area_from_sides(sides), patch_area_from_sides(expected.0));
+            }
+        }
+    }
 }
