@@ -57,7 +57,8 @@ pub struct gusset_chart {
     /// 0.
     pub reserved: u32,
     /// Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular
-    /// values s of the map; 4 for an isometry, else more.
+    /// values s of the map; 4 for an isometry, else more; infinite if a triangle is turned over
+    /// or flat, up to rounding.
     pub energy: f64,
     /// Largest factor by which a length grows.
     pub max_stretch: f64,

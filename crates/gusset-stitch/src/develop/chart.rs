@@ -22,6 +22,8 @@ pub(super) struct TriangleShape {
     /// of the linear map that takes the corners to x_0, x_1 and x_2.
     pub(super) gradients: [DVec2; 3],
     pub(super) area: f64,
+    /// True if the triangle is flat or too small, and has the limits for its base or height.
+    pub(super) is_clamped: bool,
 }
 
 /// A triangulated chart.
@@ -127,15 +129,16 @@ impl ChartMesh {
 fn clamped_triangle_shape([a, b, c]: [DVec3; 3], least: f64) -> TriangleShape {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let least = least.max(MIN_RELATIVE_TRIANGLE_HEIGHT * longest);
-    let base = (b - a).length().max(least);
+    let length = (b - a).length();
     let along = (b - a).normalize_or(DVec3::X);
     let x = if b == a { (c - a).length() / 2.0 } else { (c - a).dot(along) };
-    let height = ((c - a) - x * along).length().max(least);
+    let distance = ((c - a) - x * along).length();
+    let (base, height) = (length.max(least), distance.max(least));
     let corners = [DVec2::ZERO, DVec2::new(base, 0.0), DVec2::new(x, height)];
     let area = base * height / 2.0;
     // The opposite side, rotated inwards by a right angle, over twice the area.
     let gradient = |k: usize| (corners[(k + 2) % 3] - corners[(k + 1) % 3]).perp() / (2.0 * area);
-    TriangleShape { gradients: [0, 1, 2].map(gradient), area }
+    TriangleShape { gradients: [0, 1, 2].map(gradient), area, is_clamped: length < least || distance < least }
 }
 
 /// A side of a triangle: the identity of its edge, a half-edge of the surface or a diagonal, and

@@ -241,6 +241,11 @@ impl PathSearch {
         Ok(path)
     }
 
+    /// Returns true if the last search started from `v`, or did not reach it.
+    pub(super) fn is_source(&self, v: u32) -> bool {
+        self.predecessors[v as usize].0 == NONE
+    }
+
     /// Returns true if the path to `v` ends with half-edge `h`, in either direction.
     pub(super) fn path_ends_with(&self, v: u32, h: u32) -> bool {
         self.predecessors[v as usize].1 == h

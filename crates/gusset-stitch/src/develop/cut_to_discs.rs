@@ -143,12 +143,16 @@ impl DiscOpening<'_> {
         alloc::try_collect(loops.map(alloc::copied))
     }
 
-    /// Returns the vertex of the chart that is farthest from all sources.
+    /// Returns the vertex of the chart that is farthest from all sources. It is not a source, even
+    /// if all vertices lie in one point.
     fn farthest_vertex(&mut self, sources: &[u32], job: &Job<'_>) -> Result<u32> {
         self.search.search_nearest_target(self.graph, sources, |_| false, job)?;
-        let distance = |v: u32| self.search.distances[v as usize];
         let vertices = self.split.vertices[self.chart].clone();
-        Ok(vertices.clone().fold(vertices.start, |far, v| if distance(v) > distance(far) { v } else { far }))
+        let is_farther = |v: u32, far: u32| {
+            let [from, to] = [far, v].map(|v| self.search.distances[v as usize]);
+            to > from || (to == from && self.search.is_source(far) && !self.search.is_source(v))
+        };
+        Ok(vertices.clone().fold(vertices.start, |far, v| if is_farther(v, far) { v } else { far }))
     }
 
     /// Cuts along one more edge at an end of a slit.

@@ -117,7 +117,7 @@ pub(super) fn minimise_by_descent(
 }
 
 /// Returns the mean energy over the area.
-pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
+fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
     let mut sum = 0.0;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;

@@ -100,7 +100,8 @@ pub struct Chart {
     pub overlaps: u32,
     /// The number of triangles that are turned over; 0 except with [`Finish::Folded`].
     pub folds: u32,
-    /// The mean symmetric Dirichlet energy over the area. The minimum is 4, for an isometry.
+    /// The mean symmetric Dirichlet energy over the area. The minimum is 4, for an isometry. It is
+    /// infinite if a triangle is turned over or flat in the plane, up to rounding.
     pub energy: f64,
     /// The largest factor by which a length changes, and the smallest.
     pub stretch: [f64; 2],

@@ -6,16 +6,16 @@ use super::chart_system::ChartSystem;
 use super::cut_edges::{CutSurface, PathSearch, SurfaceGraph};
 use super::cut_to_discs::open_charts_to_discs;
 use super::dart_tip::find_dart_tip;
-use super::descend::{BorderRule, Descent, DescentOutcome, mean_energy, minimise_by_descent};
+use super::descend::{BorderRule, Descent, DescentOutcome, minimise_by_descent};
 use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Options};
-use super::energy::Jacobian;
+use super::energy::{Jacobian, stretch_energy};
 use super::exact_unfolding::{EdgeLengths, unfold_triangles};
 use super::overlap::count_border_intersections;
 use super::split_surface::SurfaceSplitAtCuts;
 use super::start_maps::{conformal_map, tutte_map};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use gusset_base::alloc;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
@@ -25,6 +25,9 @@ use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer};
 const DEFAULT_MAX_ITERATIONS: u32 = 200;
 /// Distance between charts, relative to the greatest width of a chart.
 const RELATIVE_CHART_GAP: f64 = 0.05;
+
+/// The largest coordinate whose square, an area, is finite.
+const MAX_COORDINATE: f64 = 1e150;
 
 /// Edges of an exact chart that cross by at most this, relative to the root of its area, only
 /// touch.
@@ -73,6 +76,7 @@ impl FlatChart {
 ///
 /// # Errors
 /// * [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1.
+/// * [`Error::CoordinateTooLarge`] for a vertex beyond 1e150.
 /// * [`Error::BadOffsets`] for the cuts.
 /// * [`Error::LoopIndexOutOfRange`] for a vertex of a cut that does not exist.
 /// * [`Error::CutNotConnected`], [`Error::RepeatedCorner`], [`Error::OutOfMemory`],
@@ -82,12 +86,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch, "finite and above 1")?;
     }
     job.step(0.0, STAGE)?;
-    let corners = 0..mesh.faces().half_edge_count() as u32;
-    let points = corners.map(|h| mesh.positions().get(mesh.faces().corner(h)));
-    let points = alloc::collect_cancellable(points, &job.sub_job(0.0, 0.0), STAGE)?;
-    job.step(0.0, STAGE)?;
-    let unit = common_unit(&points);
-    drop(points);
+    let unit = choose_unit(mesh, &job.sub_job(0.0, 0.0))?;
     let mut surface = CutSurface::new(mesh, &job.sub_job(0.0, 0.05))?;
     surface.cut_paths(&options.cuts, &job.sub_job(0.05, 0.05))?;
     let mut split = SurfaceSplitAtCuts::new(&surface, &job.sub_job(0.05, 0.06))?;
@@ -128,6 +127,23 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let flats = alloc::gather(flats.into_iter().flatten())?;
     job.step(0.95, STAGE)?;
     build_result(mesh, surface, split, &flats, unit, made, &job.sub_job(0.95, 1.0))
+}
+
+/// Returns the unit in which the largest coordinate is from 1 to 2, a power of two.
+fn choose_unit(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<f64> {
+    let mut largest = DVec3::ZERO;
+    for h in 0..mesh.faces().half_edge_count() as u32 {
+        job.step_within_list(h as usize, STAGE)?;
+        let v = mesh.faces().corner(h);
+        let p = mesh.positions().get(v);
+        if let Some(value) = p.to_array().into_iter().find(|x| x.abs() > MAX_COORDINATE) {
+            return Err(Error::CoordinateTooLarge { element: Element::Vertex, index: v.into(), value });
+        }
+        largest = largest.max(p.abs());
+    }
+    // A unit is at least 2^-900, so subnormal coordinates need a second one.
+    let unit = common_unit([&largest]);
+    Ok(unit * common_unit([&(largest / unit)]))
 }
 
 /// Returns the chart that most needs a dart, and the vertex at which the dart should end.
@@ -293,9 +309,14 @@ fn measure_flat_chart(
     let slack = MAX_RELATIVE_TOUCH_DEPTH * chart.total_area().sqrt();
     let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
     let mut stretches = alloc::filled([0.0f64, f64::INFINITY], faces)?;
+    let mut energy = 0.0;
     for (k, ((triangle, shape), &f)) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces).enumerate() {
         job.step_within_list(k, STAGE)?;
-        let [most, least] = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
+        // All edges of an exact chart keep their lengths, also those of a triangle without area.
+        let keeps_lengths = finish == Finish::Exact && shape.is_clamped;
+        let own = || Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
+        let [most, least] = if keeps_lengths { [1.0; 2] } else { own() };
+        energy += shape.area * stretch_energy(Distortion::Symmetric, [most, least]);
         let stretch = &mut stretches[f as usize];
         *stretch = [stretch[0].max(most), stretch[1].min(least)];
     }
@@ -304,7 +325,7 @@ fn measure_flat_chart(
         finish,
         iterations,
         stretches,
-        energy: mean_energy(chart, Distortion::Symmetric, &x, &job.sub_job(0.0, 0.0))?,
+        energy: energy / chart.total_area(),
         // In an exact chart, the sides of slits coincide.
         overlaps: count_border_intersections(
             &chart.border,

@@ -60,8 +60,9 @@ impl<'a> EdgeLengths<'a> {
     fn largest_length_error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
         let of = |[u, v]: [u32; 2]| {
             let wanted = self.chart.surface_distance(u, v);
-            (x[u as usize].distance(x[v as usize]) - wanted).abs()
-                / wanted.max(MIN_RELATIVE_EDGE_LENGTH * self.mean_length)
+            let error = (x[u as usize].distance(x[v as usize]) - wanted).abs();
+            // All edges of a chart in one point have length 0.
+            if error == 0.0 { 0.0 } else { error / wanted.max(MIN_RELATIVE_EDGE_LENGTH * self.mean_length) }
         };
         let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
         let mut worst = 0.0;

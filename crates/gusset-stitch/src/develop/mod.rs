@@ -43,6 +43,8 @@ mod exact_unfolding;
 mod cut_to_discs;
 mod overlap;
 mod start_maps;
+#[cfg(test)]
+mod degenerate_tests;
 
 pub use develop_request::{Chart, CutKind, Cuts, Developed, Distortion, Finish, Options};
 pub use develop_run::develop;

@@ -54,8 +54,8 @@ pub(super) fn tutte_map(chart: &ChartMesh, system: &mut ChartSystem, job: &Job<'
     chart.border.iter().for_each(|&[u, v]| next[u as usize] = v);
     let length = |u: u32| chart.surface_distance(u, next[u as usize]);
     let mean = chart.border.iter().map(|&[u, _]| length(u)).sum::<f64>() / chart.border.len() as f64;
-    // Every part of the circle has a positive length.
-    let part = |u: u32| length(u).max(1e-3 * mean);
+    // Every part of the circle has a positive length, also if the border lies in one point.
+    let part = |u: u32| if mean > 0.0 { length(u).max(1e-3 * mean) } else { 1.0 };
     let all: f64 = chart.border.iter().map(|&[u, _]| part(u)).sum();
     let (mut v, mut angle) = (chart.border[0][0], 0.0);
     system.clear_equations(&job.sub_job(0.0, 0.0))?;
