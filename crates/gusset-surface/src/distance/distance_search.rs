@@ -9,7 +9,8 @@
 //! If all points of two pieces are equally far, as on concentric spheres, bounds cannot separate
 //! pairs. The search then ends without proof at [`MAX_EXAMINED_PAIRS`] pairs or
 //! [`MAX_STORED_CONTROL_POINTS`] control points. It ends at [`MIN_EXAMINED_PAIRS`] if the last gain
-//! is long past and little is left to gain.
+//! is long past and little is left to gain. If it has no points by then, as of a surface in one
+//! point, it divides pieces into nets only.
 
 use super::distance_descent::{DistanceJet, NetPair, PairParameters};
 use super::side_pieces::{PiecePosition, SidePieces};
@@ -204,11 +205,17 @@ impl<'a> DistanceSearch<'a> {
             self.side_a.gain_and_parameter_of_division(pair.piece_of_a),
             self.side_b.gain_and_parameter_of_division(pair.piece_of_b),
         );
-        if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
-            return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
-        }
         let has_net =
             [self.side_a.control_net(pair.piece_of_a).is_some(), self.side_b.control_net(pair.piece_of_b).is_some()];
+        // Only two nets yield points, without which no search ends.
+        let needs_nets = has_net.contains(&false)
+            && self.examined_pairs >= MIN_EXAMINED_PAIRS
+            && self.best_distance() == f64::INFINITY;
+        // A smaller gain may be rounding, which division does not reduce.
+        let least_gain = (1e-3 * self.tolerance).max(self.distance_rounding);
+        if of_a.0.max(of_b.0) > least_gain && !needs_nets {
+            return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
+        }
         if has_net.contains(&false) {
             return (!has_net[0], 0);
         }

@@ -278,3 +278,65 @@ impl Surface<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Grid, Nodes, Scheme, Sheet, Surface};
+    use glam::DVec3;
+    use gusset_base::job::{Job, Progress};
+    use gusset_curve::CurveView;
+    use std::cell::Cell;
+    use std::ops::ControlFlow;
+
+    /// Cancels a search that reports after more than twice the largest number of pairs.
+    #[derive(Default)]
+    struct LimitedReports(Cell<usize>);
+
+    impl Progress for LimitedReports {
+        fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+            self.0.set(self.0.get() + 1);
+            if self.0.get() > 2 * 50_000 / 256 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    #[test]
+    fn curves_are_near_surfaces_in_one_point_or_line() {
+        let mut random = fastrand::Rng::with_seed(60);
+        for case in 0..if cfg!(debug_assertions) { 60 } else { 2000 } {
+            let mut coordinate = || 2.0 * random.f64() - 1.0;
+            let (place, direction) = (
+                [DVec3::ZERO, DVec3::new(coordinate(), coordinate(), coordinate())][case % 2],
+                [DVec3::ZERO, DVec3::new(coordinate(), coordinate(), coordinate())][case % 3 / 2],
+            );
+            let points: Vec<_> =
+                (0..2 + case % 7).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
+            let [rows, columns] = [2 + random.usize(..8), 2 + random.usize(..4)];
+            let nodes = (0..rows * columns).flat_map(|k| (place + (k / columns) as f64 * direction).to_array());
+            let nodes = Nodes::strided(nodes.collect::<Vec<_>>(), rows, columns, 0, 0).unwrap();
+            let sheet = Sheet::Grid(Grid::new(nodes, [false; 2], Scheme::SixTap).unwrap());
+            let surface = Surface::new(vec![sheet], None, &Job::default()).unwrap();
+            let ends = [0, points.len() as u32 - 1];
+            let curve = CurveView::new(&points, &ends, false).unwrap();
+            let limit = LimitedReports::default();
+            let found = surface.distance_to_curve(&curve, None, &Job::new(1, &limit)).unwrap();
+            // The surface is a segment.
+            let end = place + (rows - 1) as f64 * direction;
+            let distance_to_segment = |p: DVec3| {
+                let along = (p - place).dot(end - place) / (end - place).length_squared();
+                p.distance(place.lerp(end, if along.is_nan() { 0.0 } else { along.clamp(0.0, 1.0) }))
+            };
+            let point = |t: f64| {
+                let mut q = points.clone();
+                (1..q.len()).rev().for_each(|n| (0..n).for_each(|k| q[k] = q[k].lerp(q[k + 1], t)));
+                q[0]
+            };
+            let sampled = (0..=4000).map(|k| distance_to_segment(point(f64::from(k) / 4000.0)));
+            let sampled = sampled.fold(f64::INFINITY, f64::min);
+            // A nearest point between two samples is nearer by up to half a step along the curve.
+            let step = 2.0 * points.len() as f64 * 3.5 / 8000.0;
+            assert!(found.distance <= sampled + 1e-9, "case {case}: {} {sampled}", found.distance);
+            assert!(found.distance >= sampled - step, "case {case}: {} {sampled}", found.distance);
+            assert!((found.point.distance(found.other_point) - found.distance).abs() < 1e-12, "case {case}");
+        }
+    }
+}
