@@ -10,8 +10,11 @@ const SIZES: [f64; 10] = [0.0, 5e-324, 1e-310, 1e-200, 1e-160, 1.0, 1e100, 1e149
 
 const DISTORTIONS: [Distortion; 3] = [Distortion::Symmetric, Distortion::Rigid, Distortion::Conformal];
 
-/// A grid of quads, a tetrahedron, a triangle, and an octahedron: points and faces.
-fn shapes() -> Vec<(Vec<[f64; 3]>, Vec<Vec<u32>>)> {
+/// The points and the faces of a surface.
+type Shape = (Vec<[f64; 3]>, Vec<Vec<u32>>);
+
+/// A grid of quads, a tetrahedron, a triangle, and an octahedron.
+fn shapes() -> Vec<Shape> {
     let grid = (0..20).map(|k| [f64::from(k / 5), f64::from(k % 5), f64::from(k * k % 7) / 3.0]).collect();
     let quads = (0..15).filter(|k| k % 5 < 4).map(|k| vec![k, k + 1, k + 6, k + 5]).collect();
     let corner = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
