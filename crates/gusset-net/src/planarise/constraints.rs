@@ -1,5 +1,6 @@
 //! The constraints that make cells plane, and their linear equations. O(cells) each.
 
+use super::STAGE;
 use super::elimination_order::visit_in_elimination_order;
 use super::scaled_vertices::ScaledVertices;
 use crate::hidden_cells::HiddenCells;
@@ -44,7 +45,7 @@ impl PlanarityConstraints {
         let is_glued = net.topology().sides() != Some(Sides::SHEET) || !net.topology().seams().is_empty();
         let mut done = 0;
         visit_in_elimination_order([shape.rows() - 1, shape.columns() - 1], is_glued, &mut |i, j| {
-            job.step_every(CELLS_PER_REPORT, done, shape.cell_count(), "planarise")?;
+            job.step_every(CELLS_PER_REPORT, done, shape.cell_count(), STAGE)?;
             done += 1;
             let [a, b, c, d] = surface.classes.representatives_of_corners(i, j);
             let is_quad = a != b && a != c && a != d && b != c && b != d && c != d;
@@ -58,7 +59,7 @@ impl PlanarityConstraints {
             Ok(())
         })?;
         let entries = corners.iter().zip(0u32..).flat_map(|(corners, k)| corners.map(|v| (v as usize, k)));
-        let cells = Buckets::new(shape.node_count(), 0, entries)?;
+        let cells = Buckets::new_cancellable(shape.node_count(), 0, entries, job, STAGE)?;
         Ok(PlanarityConstraints {
             corners,
             cell_indices: numbers,
@@ -93,8 +94,8 @@ impl PlanarityConstraints {
     /// order it changes by the displacement of the two lines' closest points along the common
     /// normal. At the points a + s (c - a) and b + t (d - b), the displacements of a, b, c and d
     /// have the factors -(1 - s), 1 - t, -s and t.
-    pub(super) fn linearise(&self, positions: &[DVec3]) -> Result<Vec<LinearisedConstraint>> {
-        alloc::collect(self.corners.iter().map(|corners| {
+    pub(super) fn linearise(&self, positions: &[DVec3], job: &Job<'_>) -> Result<Vec<LinearisedConstraint>> {
+        let rows = self.corners.iter().map(|corners| {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
             let (p, q, r) = (c - a, d - b, b - a);
             let cross = p.cross(q);
@@ -112,7 +113,8 @@ impl PlanarityConstraints {
                 scaled_value: r.dot(normal) / length,
                 length,
             }
-        }))
+        });
+        alloc::collect_cancellable(rows, job, STAGE)
     }
 
     /// Returns the sum of the squared constraints at other positions, each divided by the length of
@@ -135,7 +137,7 @@ impl PlanarityConstraints {
         job: &Job<'_>,
     ) -> Result<Vec<DVec3>> {
         let matrix = self.normal_matrix(rows, penalty, &job.sub_job(0.0, 0.2))?;
-        let mut solution = alloc::collect(self.corners.iter().zip(rows).map(|(corners, row)| {
+        let values = self.corners.iter().zip(rows).map(|(corners, row)| {
             let change =
                 |k: usize| row.weights[k] * row.normal.dot(base[corners[k] as usize] - positions[corners[k] as usize]);
             DVec3::new(
@@ -143,10 +145,14 @@ impl PlanarityConstraints {
                 0.0,
                 0.0,
             )
-        }))?;
-        matrix.factorise(&job.sub_job(0.2, 0.9))?.solve(&mut solution, &job.sub_job(0.9, 1.0))?;
+        });
+        let mut solution = alloc::collect_cancellable(values, &job.sub_job(0.2, 0.2), STAGE)?;
+        matrix.factorise(&job.sub_job(0.2, 0.9))?.solve(&mut solution, &job.sub_job(0.9, 0.95))?;
+        drop(matrix);
+        job.step(0.95, STAGE)?;
         let mut moved = alloc::copied(base)?;
-        for ((corners, row), y) in self.corners.iter().zip(rows).zip(solution) {
+        for (k, ((corners, row), y)) in self.corners.iter().zip(rows).zip(solution).enumerate() {
+            job.sub_job(0.95, 1.0).step_every(CELLS_PER_REPORT, k, rows.len(), STAGE)?;
             for (&v, weight) in corners.iter().zip(row.weights).filter(|&(_, weight)| weight != 0.0) {
                 moved[v as usize] -= weight * y.x * row.normal;
             }
@@ -161,7 +167,7 @@ impl PlanarityConstraints {
         start.push(0);
         let mut column: Vec<(u32, f64)> = Vec::new();
         for k in 0..n {
-            job.step_every(CELLS_PER_REPORT, k, n, "planarise")?;
+            job.step_every(CELLS_PER_REPORT, k, n, STAGE)?;
             column.clear();
             for (slot, &v) in self.corners[k].iter().enumerate().filter(|&(slot, _)| rows[k].weights[slot] != 0.0) {
                 for &other in self.cells.get(v as usize).iter().take_while(|&&other| (other as usize) < k) {

@@ -59,6 +59,8 @@ pub struct Planarised {
     pub converged: bool,
 }
 
+const STAGE: &str = "planarise";
+
 /// The default limit on steps.
 const DEFAULT_ITERATIONS: u32 = 100;
 
@@ -74,7 +76,7 @@ const DEFAULT_ITERATIONS: u32 = 100;
 /// [`Error::Cancelled`]. The net is then unchanged.
 pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Planarised> {
     let relative = relative_tolerance(net, options)?;
-    job.step(0.0, "planarise")?;
+    job.step(0.0, STAGE)?;
     let surface = ScaledVertices::new(net, options, &job.sub_job(0.0, 0.05))?;
     let constraints = PlanarityConstraints::new(net, &surface, &job.sub_job(0.05, 0.1))?;
     let (deviation_before, worst_cell) = constraints.max_deviation(&surface.positions);
@@ -99,11 +101,12 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     let mut search = PlanarSearch::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.sub_job(0.1, 0.98));
     let mut stored = search.run()?;
     report.iterations = search.step_count;
+    job.step(0.98, STAGE)?;
     surface.round_to_scalar(&mut stored, net.coordinates().scalar());
     let (deviation_after, worst_cell) = constraints.max_deviation(&stored);
     (report.deviation_after, report.worst_cell) = (deviation_after * unit, worst_cell);
     report.converged = deviation_after <= tolerance;
-    job.step(1.0, "planarise")?;
+    job.step(1.0, STAGE)?;
     // Nothing below can fail.
     surface.move_nodes(net, &stored);
     let (mut squares, mut count) = (0.0, 0);
@@ -134,4 +137,42 @@ fn relative_tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f
         (0.0, Scalar::F32) => 4e-7,
         (given, _) => given,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PlanariseOptions, STAGE, planarise};
+    use crate::{Net, Shape, Sides, Topology};
+    use glam::DVec3;
+    use gusset_base::job::{Job, Progress};
+    use gusset_mesh::Scalar;
+    use std::cell::RefCell;
+    use std::ops::ControlFlow;
+
+    /// The stages of all reports.
+    #[derive(Default)]
+    struct Stages(RefCell<Vec<&'static str>>);
+
+    impl Progress for Stages {
+        fn step(&self, _: f64, stage: &'static str) -> ControlFlow<()> {
+            self.0.borrow_mut().push(stage);
+            ControlFlow::Continue(())
+        }
+    }
+
+    #[test]
+    fn passes_over_all_cells_report_between_solutions() {
+        let topology = Topology::from_sides(Shape::new(9, 9).unwrap(), Sides::SHEET);
+        let node = |i: usize, j: usize| DVec3::new(i as f64, j as f64, (3 * i * i + 5 * j * i % 7) as f64 / 9.0);
+        let mut net = Net::from_fn(topology, Scalar::F64, node).unwrap();
+        let stages = Stages::default();
+        let options = PlanariseOptions { tolerance: 0.0, max_iterations: 6, keep_boundary: false, fixed: &[] };
+        let report = planarise(&mut net, &options, &Job::new(1, &stages)).unwrap();
+        assert!(report.iterations > 3, "{report:?}");
+        let stages = stages.0.into_inner();
+        let between = stages.split(|&stage| stage != STAGE).filter(|own| !own.is_empty());
+        let counts: Vec<_> = between.map(<[_]>::len).collect();
+        // The solution, the sums or deviations, the next constraints, and their matrix.
+        assert!(counts.len() as u32 > report.iterations && counts.iter().all(|&count| count >= 4), "{counts:?}");
+    }
 }

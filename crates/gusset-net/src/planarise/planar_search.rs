@@ -1,6 +1,7 @@
 //! The search for the closest net of plane cells: steps with decreasing penalties, then steps of
 //! least length that restore the constraints.
 
+use super::STAGE;
 use super::constraints::PlanarityConstraints;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -61,25 +62,28 @@ impl<'a> PlanarSearch<'a> {
         self.job.sub_job(at(self.step_count - 1), at(self.step_count))
     }
 
+    /// Reports before a pass over all cells.
+    fn report_pass(&self) -> Result<()> {
+        self.job.step(1.0 - 0.9f64.powi(self.step_count as i32), STAGE)
+    }
+
     /// Minimises the penalised sum |x - x0|^2 + |g|^2 / penalty, for decreasing penalties.
     fn minimise_with_decreasing_penalties(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let (constraints, start) = (self.constraints, self.given_positions);
         for penalty in DECREASING_PENALTIES {
             for _ in 0..MAX_STEPS_PER_PENALTY.min(self.max_steps - self.step_count) {
-                let rows = constraints.linearise(positions)?;
-                let towards = constraints.displacements_from_base(
-                    &rows,
-                    [start, positions],
-                    penalty,
-                    &self.job_of_next_step(),
-                )?;
+                let job = self.job_of_next_step();
+                let rows = constraints.linearise(positions, &job.sub_job(0.0, 0.0))?;
+                let towards = constraints.displacements_from_base(&rows, [start, positions], penalty, &job)?;
                 let sum = |at: &[DVec3]| {
                     self.squared_distance_from_start(at) + constraints.sum_of_squares(&rows, at) / penalty
                 };
+                self.report_pass()?;
                 let before = sum(positions);
-                let Some(next) = self.halve_until_better(positions, towards, |at| sum(at) < before) else {
+                let Some(next) = self.halve_until_better(positions, towards, |at| sum(at) < before)? else {
                     break;
                 };
+                self.report_pass()?;
                 let is_small =
                     self.max_displacement(&next, positions) <= MIN_RELATIVE_STEP * self.max_displacement(&next, start);
                 *positions = next;
@@ -101,15 +105,19 @@ impl<'a> PlanarSearch<'a> {
             && self.step_count < self.max_steps
             && constraints.max_deviation(positions).0 <= self.tolerance
         {
-            let rows = constraints.linearise(positions)?;
+            let job = self.job_of_next_step();
+            let rows = constraints.linearise(positions, &job.sub_job(0.0, 0.0))?;
             let mut next = constraints.displacements_from_base(
                 &rows,
                 [self.given_positions, positions],
                 MATRIX_REGULARISATION,
-                &self.job_of_next_step(),
+                &job,
             )?;
+            drop(rows);
+            self.report_pass()?;
             constraints.constrained_vertices().for_each(|v| next[v] = positions[v].lerp(next[v], part));
             self.restore_constraints(&mut next)?;
+            self.report_pass()?;
             let is_plane = constraints.max_deviation(&next).0 <= self.tolerance;
             if !(is_plane && self.squared_distance_from_start(&next) < distance) {
                 part /= 4.0;
@@ -134,19 +142,17 @@ impl<'a> PlanarSearch<'a> {
         let constraints = self.constraints;
         let (mut deviation, _) = constraints.max_deviation(positions);
         while self.step_count < self.max_steps && deviation > self.tolerance {
-            let rows = constraints.linearise(positions)?;
-            let towards = constraints.displacements_from_base(
-                &rows,
-                [&*positions; 2],
-                MATRIX_REGULARISATION,
-                &self.job_of_next_step(),
-            )?;
+            let job = self.job_of_next_step();
+            let rows = constraints.linearise(positions, &job.sub_job(0.0, 0.0))?;
+            let towards = constraints.displacements_from_base(&rows, [&*positions; 2], MATRIX_REGULARISATION, &job)?;
+            drop(rows);
             let Some(next) =
-                self.halve_until_better(positions, towards, |at| constraints.max_deviation(at).0 < deviation)
+                self.halve_until_better(positions, towards, |at| constraints.max_deviation(at).0 < deviation)?
             else {
                 return Ok(());
             };
             *positions = next;
+            self.report_pass()?;
             deviation = constraints.max_deviation(positions).0;
         }
         Ok(())
@@ -158,14 +164,16 @@ impl<'a> PlanarSearch<'a> {
         from: &[DVec3],
         mut to: Vec<DVec3>,
         is_better: impl Fn(&[DVec3]) -> bool,
-    ) -> Option<Vec<DVec3>> {
+    ) -> Result<Option<Vec<DVec3>>> {
         for _ in 0..=MAX_STEP_HALVINGS {
+            self.report_pass()?;
             if is_better(&to) {
-                return Some(to);
+                return Ok(Some(to));
             }
+            self.report_pass()?;
             self.constraints.constrained_vertices().for_each(|v| to[v] = to[v].midpoint(from[v]));
         }
-        None
+        Ok(None)
     }
 
     /// Returns the largest distance between corresponding vertices.

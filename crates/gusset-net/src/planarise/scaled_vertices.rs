@@ -1,5 +1,6 @@
 //! The vertices of a net, one for each class of glued nodes. O(nodes).
 
+use super::STAGE;
 use super::planarise_options::PlanariseOptions;
 use crate::complex::Complex;
 use crate::{Net, NodeClasses};
@@ -33,7 +34,7 @@ pub(crate) struct ScaledVertices {
 impl ScaledVertices {
     pub(crate) fn new(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
-        let classes = NodeClasses::new_cancellable(net.topology(), &job.sub_job(0.0, 0.3), "planarise")?;
+        let classes = NodeClasses::new_cancellable(net.topology(), &job.sub_job(0.0, 0.3), STAGE)?;
         let mut fixed = alloc::filled(false, nodes.len())?;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for node in nodes {
@@ -73,7 +74,7 @@ impl ScaledVertices {
         let count = net.shape().node_count();
         let mut positions = alloc::filled(DVec3::NAN, count)?;
         for node in 0..count as u32 {
-            job.step_every(NODES_PER_REPORT, node as usize, count, "planarise")?;
+            job.step_every(NODES_PER_REPORT, node as usize, count, STAGE)?;
             let (class, position) = (self.classes.representative(node) as usize, net.position(node));
             if positions[class].is_nan() && position.is_finite() {
                 positions[class] = self.scale_position(position);
