@@ -7,6 +7,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use glam::DVec3;
 
 /// Computes the unit normals of nodes, row by row: the derivative across the rows times the
@@ -14,14 +15,25 @@ use glam::DVec3;
 /// whether the first column follows the last. A normal is zero where the nodes do not determine it.
 /// A row or column that is a single point is a pole; its normal is perpendicular to all lines that
 /// end there. O(nodes), unless long runs of nodes coincide.
-pub fn node_normals(nodes: &[DVec3], [rows, columns]: [usize; 2], closed: [bool; 2]) -> Result<Vec<DVec3>> {
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+pub fn node_normals(
+    nodes: &[DVec3],
+    [rows, columns]: [usize; 2],
+    closed: [bool; 2],
+    job: &Job<'_>,
+    stage: &'static str,
+) -> Result<Vec<DVec3>> {
     let at = |i: usize, j: usize| nodes[i * columns + j];
     let along = |i: usize, j: usize| tangent_of_circle_at_point(rows, closed[0], i, |i| at(i, j));
     let across = |i: usize, j: usize| tangent_of_circle_at_point(columns, closed[1], j, |j| at(i, j));
-    let mut normals = alloc::collect((0..rows * columns).map(|k| {
+    let normals = (0..rows * columns).map(|k| {
         let (i, j) = (k / columns, k % columns);
         along(i, j).cross(across(i, j)).normalize_or_zero()
-    }))?;
+    });
+    let mut normals = alloc::collect_cancellable(normals, job, stage)?;
+    job.step(1.0, stage)?;
     for (i, sign) in [(0, 1.0), (rows - 1, -1.0)] {
         if !closed[0] && (1..columns).all(|j| at(i, j) == at(i, 0)) {
             let normal = sign * turning_axis(columns, closed[1], |j| along(i, j));
@@ -83,13 +95,13 @@ mod tests {
                     DVec3::new(radius * b.cos(), radius * b.sin(), a.cos())
                 })
                 .collect();
-            let normals = node_normals(&nodes, [rows, columns], [false, closed]).unwrap();
+            let normals = node_normals(&nodes, [rows, columns], [false, closed], &Job::default(), "").unwrap();
             for (n, p) in normals.iter().zip(&nodes) {
                 assert!((*n - *p).length() < 1e-12, "{n} {p}");
             }
             // Transposed nodes face inwards.
             let turned: Vec<DVec3> = (0..rows * columns).map(|k| nodes[(k % rows) * columns + k / rows]).collect();
-            let normals = node_normals(&turned, [columns, rows], [closed, false]).unwrap();
+            let normals = node_normals(&turned, [columns, rows], [closed, false], &Job::default(), "").unwrap();
             for (n, p) in normals.iter().zip(&turned) {
                 assert!((*n + *p).length() < 1e-12, "{n} {p}");
             }

@@ -198,7 +198,7 @@ impl<const N: usize> GordonSurface<N> {
         let [height, width] = [rows.len(), columns.len()];
         let points = |curves: &[NetCurve<N>]| alloc::collect(curves.iter().map(NetCurve::is_single_point));
         let points = [points(&rows)?, points(&columns)?];
-        let nodes = alloc::collect(places.iter().enumerate().map(|(n, &[on_row, on_column])| {
+        let nodes = places.iter().enumerate().map(|(n, &[on_row, on_column])| {
             let (k, l) = (n / width, n % width);
             let (p, q) = (rows[k].point_at(on_row), columns[l].point_at(on_column));
             match (points[0][k], points[1][l]) {
@@ -206,7 +206,8 @@ impl<const N: usize> GordonSurface<N> {
                 (false, true) => q,
                 (false, false) => 0.5 * (p + q),
             }
-        }))?;
+        });
+        let nodes = alloc::collect_cancellable(nodes, &job.sub_job(0.0, 0.0), NODE_STAGE)?;
         // Axis 0: cuts rows at the columns. Axis 1: cuts columns at the rows.
         let cut = |net_curves: &mut [NetCurve<N>], axis: usize| {
             let count = [width, height][axis];

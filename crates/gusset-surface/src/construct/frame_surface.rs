@@ -71,6 +71,7 @@ impl Sheet<'static> {
     }
 }
 
+const PROGRESS_STAGE: &str = "surface of a frame";
 /// Number of nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 17;
 
@@ -85,7 +86,7 @@ fn node_sheet(
     let mut data = alloc::with_capacity(3 * height * width)?;
     let places = (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns)));
     for (k, (i, j)) in places.enumerate() {
-        job.step_every(NODES_PER_REPORT, k, height * width, "surface of a frame")?;
+        job.step_every(NODES_PER_REPORT, k, height * width, PROGRESS_STAGE)?;
         data.extend(nodes[i * columns + j].to_array());
     }
     let nodes = Nodes::strided(data, height, width, 0, 0)?;
@@ -101,7 +102,12 @@ fn patches_of_frame<const N: usize>(
     job: &Job<'_>,
 ) -> Result<Patches<N>> {
     let (rows, columns) = (grid.rows, grid.columns);
-    let net_curves = |fit: &Fit| alloc::try_collect((0..fit.len()).map(|k| NetCurve::new(&fit.curve(k))));
+    let net_curves = |fit: &Fit, job: &Job<'_>| {
+        alloc::try_collect((0..fit.len()).map(|k| {
+            job.step(k as f64 / fit.len() as f64, PROGRESS_STAGE)?;
+            NetCurve::new(&fit.curve(k))
+        }))
+    };
     let at = |net_curve: &NetCurve<N>, place: Place| {
         let (segment, count) = (place.segment as usize, net_curve.segments.len());
         // A joint counts as the start of the next segment.
@@ -112,17 +118,19 @@ fn patches_of_frame<const N: usize>(
             t => CurvePlace { segment, parameter: t },
         }
     };
-    let row_curves = net_curves(across)?;
+    let row_curves = net_curves(across, &job.sub_job(0.0, 0.05))?;
     let on_row = |n: usize| at(&row_curves[n / columns], across.place(n));
     if kind == FrameSurface::Sections {
-        let places = alloc::collect((0..rows * columns).map(on_row))?;
-        return skin_sections(row_curves, &places, &grid.nodes, closed, job);
+        let places = (0..rows * columns).map(on_row);
+        let places = alloc::collect_cancellable(places, &job.sub_job(0.05, 0.1), PROGRESS_STAGE)?;
+        return skin_sections(row_curves, &places, &grid.nodes, closed, &job.sub_job(0.1, 1.0));
     }
-    let column_curves = net_curves(along)?;
-    let places = alloc::collect((0..rows * columns).map(|n| {
+    let column_curves = net_curves(along, &job.sub_job(0.05, 0.1))?;
+    let places = (0..rows * columns).map(|n| {
         let (k, l) = (n / columns, n % columns);
         [on_row(n), at(&column_curves[l], along.place(l * rows + k))]
-    }))?;
-    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, &job.sub_job(0.0, 0.5))?
+    });
+    let places = alloc::collect_cancellable(places, &job.sub_job(0.1, 0.15), PROGRESS_STAGE)?;
+    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, &job.sub_job(0.15, 0.5))?
         .compute_patches(&job.sub_job(0.5, 1.0))
 }

@@ -22,6 +22,8 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
+const PROGRESS_STAGE: &str = "surface of a frame";
+
 /// Changes below this part of the largest change are rounding.
 const MIN_RELATIVE_CHANGE: f64 = 1e-6;
 
@@ -37,18 +39,21 @@ pub(super) fn skin_sections<const N: usize>(
 ) -> Result<Patches<N>> {
     let width = nodes.len() / sections.len();
     let points = alloc::collect(sections.iter().map(NetCurve::is_single_point))?;
+    let (cutting, comparing) = (job.sub_job(0.0, 0.1), job.sub_job(0.35, 0.4));
     let pieces = alloc::try_collect((0..sections.len()).map(|k| {
+        cutting.step(k as f64 / points.len() as f64, PROGRESS_STAGE)?;
         let at = alloc::copied(&places[k * width..(k + 1) * width])?;
         let ends = |l: usize| nodes[k * width + l % width];
         let out_of_order = |l: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32, curve: "row" };
         cut_curve_at_places(&mut sections[k], at, closed[1], ends, out_of_order)
     }))?;
-    let strips = LineStrips::from_curves(&pieces, &points, &job.sub_job(0.0, 0.2))?;
-    let refined = strips.refine_curves_to_cells(&pieces, &job.sub_job(0.2, 0.4))?;
+    let strips = LineStrips::from_curves(&pieces, &points, &job.sub_job(0.1, 0.2))?;
+    let refined = strips.refine_curves_to_cells(&pieces, &job.sub_job(0.2, 0.35))?;
     let distances = row_distances(&refined, closed[0])?;
-    let changes = alloc::try_collect(
-        (0..distances.len()).map(|k| section_change(&refined[k], &refined[(k + 1) % refined.len()], distances[k])),
-    )?;
+    let changes = alloc::try_collect((0..distances.len()).map(|k| {
+        comparing.step(k as f64 / distances.len() as f64, PROGRESS_STAGE)?;
+        section_change(&refined[k], &refined[(k + 1) % refined.len()], distances[k])
+    }))?;
     blend_rows(&refined, &calm_pieces(&distances, &changes, closed[0])?, &job.sub_job(0.4, 1.0))
 }
 
