@@ -12,11 +12,37 @@ from ._library import F32, F64, ffi
 SCALARS = {np.dtype(np.float32): F32, np.dtype(np.float64): F64}
 
 
+def real_array(values: ArrayLike) -> NDArray[Any]:
+    """Numbers as an array; the same array where it can be.
+
+    Raises:
+        ValueError: the numbers are complex. NumPy would drop the imaginary parts with no more than a warning.
+    """
+    array = np.asarray(values)
+    if array.dtype.kind == "c":
+        raise ValueError(f"the numbers are of the type {array.dtype}, not real")
+    return array
+
+
+def real(value: Any) -> float:
+    """A real number: see :func:`real_array`."""
+    return float(value if isinstance(value, (float, int, str)) else real_array(value))
+
+
+def floats_of(values: ArrayLike) -> NDArray[Any]:
+    """Real numbers as 32- or 64-bit floats; the same array where it can be."""
+    array = real_array(values)
+    return array if array.dtype in SCALARS else array.astype(np.float64)
+
+
+def reals_of(values: ArrayLike) -> NDArray[np.float64]:
+    """Real numbers as 64-bit floats; the same array where it can be."""
+    return np.asarray(floats_of(values), np.float64)
+
+
 def points_of(values: ArrayLike) -> NDArray[Any]:
     """Points as the library reads them: 32- or 64-bit floats, x, y, z together; the same array where it can be."""
-    array = np.asarray(values)
-    if array.dtype not in SCALARS:
-        array = array.astype(np.float64)
+    array = floats_of(values)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"points have the shape {array.shape}, not (n, 3)")
     rows, step = array.strides

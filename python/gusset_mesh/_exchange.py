@@ -9,7 +9,7 @@ from typing import Any, Optional, TypeVar, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import pointer
+from ._arrays import pointer, reals_of
 from ._call import Progress, call
 from ._library import ffi
 from ._records import Record, RecordArray, dtype_of
@@ -25,7 +25,7 @@ LINE = dtype_of(ffi.typeof("struct gusset_line"))
 
 def vector(values: ArrayLike, name: str = "vector") -> list[float]:
     """Returns three numbers."""
-    array = np.asarray(values, np.float64)
+    array = reals_of(values)
     if array.shape != (3,):
         raise ValueError(f"{name} has the shape {array.shape}, not (3,)")
     numbers: list[float] = array.tolist()
@@ -42,7 +42,7 @@ def index(value: Any, name: str, bits: int = 32) -> int:
 
 def numbers(values: ArrayLike, shape: tuple[int, ...], name: str) -> NDArray[np.float64]:
     """Returns packed 64-bit floats of a shape, in which -1 is any length. Copies only if necessary."""
-    array = np.ascontiguousarray(values, np.float64)
+    array = np.ascontiguousarray(reals_of(values))
     if array.ndim != len(shape) or any(wanted not in (-1, got) for wanted, got in zip(shape, array.shape)):
         wanted_shape = ", ".join("n" if one < 0 else str(one) for one in shape)
         raise ValueError(f"{name} have the shape {array.shape}, not ({wanted_shape}{',' if len(shape) == 1 else ''})")
@@ -53,7 +53,7 @@ def curve_places(values: CurvePlaces) -> PlaceArray:
     """Returns places on a curve, packed."""
     if isinstance(values, PlaceArray):
         return PlaceArray(np.ascontiguousarray(values.array).reshape(-1))
-    given = np.asarray(values, np.float64).reshape(-1)
+    given = reals_of(values).reshape(-1)
     is_place = (given >= 0) & (given < 2**32)
     if not is_place.all():
         bad = int(np.flatnonzero(~is_place)[0])
@@ -65,7 +65,7 @@ def curve_places(values: CurvePlaces) -> PlaceArray:
 
 def lines_of(origins: ArrayLike, directions: ArrayLike, start: Any, end: Any) -> NDArray[Any]:
     """Makes lines, rays or segments from (n, 3) origins and directions, which are broadcast, and from a range of parameters."""
-    starts, along = (np.atleast_2d(np.asarray(one, np.float64)) for one in (origins, directions))
+    starts, along = (np.atleast_2d(reals_of(one)) for one in (origins, directions))
     if starts.ndim != 2 or starts.shape[1] != 3 or along.ndim != 2 or along.shape[1] != 3:
         raise ValueError(f"origins and directions have the shapes {starts.shape} and {along.shape}, not (n, 3)")
     starts, along = np.broadcast_arrays(starts, along)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import indices_of, pointer
+from ._arrays import indices_of, pointer, real, real_array, reals_of
 from ._library import bits_of, ffi, holding, one_of
 from ._options import FIELDS
 from ._records import dtype_of, indices_struct
@@ -28,7 +28,7 @@ def _array(struct: Any, field: str, value: Any, shape: tuple[str, ...], kept: li
         count = len(made)
     else:
         dtype = dtype_of(item)
-        numbers: Any = indices_of(value, field).reshape(-1) if dtype == np.uint32 else np.ascontiguousarray(value, dtype)
+        numbers: Any = indices_of(value, field).reshape(-1) if dtype == np.uint32 else np.ascontiguousarray(real_array(value), dtype)
         if numbers.shape[1:] != inner or numbers.ndim == 0:
             raise ValueError(f"{field} have the shape {numbers.shape}, not ({', '.join(['n', *shape[1:]])})")
         made, count = ffi.cast(f"{item.cname} *", pointer(numbers)), len(numbers)
@@ -57,7 +57,7 @@ def _number(keyword: str, what: str, value: Any) -> Any:
             return int(value)
         raise TypeError(f"{keyword} is {value!r}: pass True or False")
     try:
-        return float(value) if what == "float" and not isinstance(value, str) else operator.index(value)
+        return real(value) if what == "float" and not isinstance(value, str) else operator.index(value)
     except TypeError:
         raise TypeError(f"{keyword} is {value!r}: pass {'a number' if what == 'float' else 'an integer'}") from None
 
@@ -66,7 +66,7 @@ def _fields(item: Any, value: Any) -> Any:
     """The first fields of a struct of numbers. A matrix fills the only field of a struct."""
     fields = [field for name, field in item.fields if name not in ("struct_size", "reserved")]
     if len(fields) == 1 and fields[0].type.kind == "array":
-        return [np.asarray(value, np.float64).reshape(-1)[: fields[0].type.length].tolist()]
+        return [reals_of(value).reshape(-1)[: fields[0].type.length].tolist()]
     return list(value)
 
 

@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arrays import real_array, reals_of
 from ._plugin import Curves
 from .documents import Array, At, Document, FileMesh, Image, Material, Placement, Points
 from .mesh import Mesh
@@ -105,7 +106,7 @@ class _Writer:
         return made
 
     def array(self, name: str, given: ArrayLike, kind: str, width: int = 1) -> dict[str, Any]:
-        values = np.ascontiguousarray(given, _TYPES[kind])
+        values = np.ascontiguousarray(real_array(given), _TYPES[kind])
         if values.ndim != (1 if width == 1 else 2) or (width > 1 and values.shape[1] != width):
             raise ValueError(f"{name}: the shape is {values.shape}, not {'(n,)' if width == 1 else f'(n, {width})'}")
         at = self._size
@@ -167,7 +168,7 @@ class _Writer:
         }
         if given.placements is not None:
             made["placements"] = [{"name": one.name, "mesh": int(one.mesh)} for one in given.placements]
-            matrices = [np.asarray(one.transform, np.float64) for one in given.placements]
+            matrices = [reals_of(one.transform) for one in given.placements]
             if any(matrix.shape != (3, 4) for matrix in matrices):
                 bad = next(k for k, matrix in enumerate(matrices) if matrix.shape != (3, 4))
                 raise ValueError(f"the transform of placement {bad} has the shape {matrices[bad].shape}, not (3, 4)")

@@ -8,7 +8,7 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import indices_of, pointer, points_of
+from ._arrays import indices_of, pointer, points_of, reals_of
 from ._call import Progress, under_way
 from ._channels import carried
 from ._library import ffi, lib, text
@@ -218,7 +218,7 @@ class Filter:
                 if value not in words:
                     raise ValueError(f"{name} is {value!r}: there are {', '.join(map(repr, words))}")
                 value = words.index(value)
-            numbers = np.asarray(value, np.float64).reshape(-1)
+            numbers = reals_of(value).reshape(-1)
             if len(numbers) != param.arity:
                 raise ValueError(f"{name} takes {param.arity} numbers, not {len(numbers)}")
             for k, number in enumerate(numbers.tolist()):

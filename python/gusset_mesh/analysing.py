@@ -8,7 +8,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arrays import pointer
+from ._arrays import pointer, real
 from ._call import Progress, call
 from ._exchange import handle_of, sized
 from ._handles import Reported, create
@@ -98,7 +98,7 @@ class NetAnalysing(NetHandle):
         """
         rows, columns = self.shape
         cells, written, report = np.zeros((rows - 1, columns - 1)), ffi.new("size_t *"), NetPlanarityReport.new()
-        call(lib.gusset_net_planarity, self._handle, float(tolerance), ffi.cast("double *", pointer(cells)), cells.size, written, report._struct,
+        call(lib.gusset_net_planarity, self._handle, real(tolerance), ffi.cast("double *", pointer(cells)), cells.size, written, report._struct,
              threads=threads, progress=progress)
         return cells, report
 
@@ -114,7 +114,7 @@ class NetAnalysing(NetHandle):
 
     def validation(self, tolerance: float = 0.0, *, threads: int = 0, progress: Optional[Progress] = None) -> NetValidation:
         """Checks that glued nodes coincide within a tolerance, and warns of suspicious gluing."""
-        return NetValidation(create("net_validation", self._handle, float(tolerance), threads=threads, progress=progress))
+        return NetValidation(create("net_validation", self._handle, real(tolerance), threads=threads, progress=progress))
 
     def analysis(
         self, after: Optional[NetHandle] = None, *, fields: Sequence[Field] = (), time: float = 0.0, tolerance: float = 0.0, threads: int = 0,
@@ -128,7 +128,7 @@ class NetAnalysing(NetHandle):
             tolerance: lengths up to this count as 0.
         """
         chain, count = fields_of(fields)
-        given = sized("gusset_net_analysis_options", fields=chain, field_count=count, time=float(time), tolerance=float(tolerance))
+        given = sized("gusset_net_analysis_options", fields=chain, field_count=count, time=real(time), tolerance=real(tolerance))
         if after is not None:
             given.after = handle_of("net", after)
         return NetAnalysis(create("net_analysis", self._handle, given, threads=threads, progress=progress))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Optional
 
 import numpy as np
 
+from ._arrays import real
 from ._call import Progress, call
 from ._exchange import answer, handle_of, index
 from ._keywords import options as structs
@@ -50,7 +51,7 @@ class NetBridges(NetHandle):
             for name, value in given.items():
                 setattr(properties, name, getattr(old, name) if value is None else value)
         return self._changed(lib.gusset_net_set_bridge, index(bridge, "bridge", 64), number_of("gusset_bridge_mode", "mode", mode),
-                             float(tolerance), properties)
+                             real(tolerance), properties)
 
     def split(self, bridge: int) -> tuple[Self, Self]:
         """Splits the net at a bridge that runs from side to side: the inverse of :meth:`Net.concatenate`.

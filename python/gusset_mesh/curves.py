@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import indices_of, pointer
+from ._arrays import indices_of, pointer, real, reals_of
 from ._call import Progress, call
 from ._exchange import CurvePlaces, curve_places, index, lines_of, numbers, vector
 from ._handles import Reported, create
@@ -74,7 +74,7 @@ class CurveQueries(Reported[CurveView]):
         >>> gm.Curve.from_controls([[0, 0], [1, 2], [2, 0]]).evaluate([0.5]).derivatives[0, 0].tolist()
         [1.0, 1.0, 0.0]
         """
-        array = np.ascontiguousarray(controls, np.float64)
+        array = np.ascontiguousarray(reals_of(controls))
         if array.ndim != 2 or array.shape[1] not in (2, 3):
             raise ValueError(f"control points have the shape {array.shape}, not (n, 2) or (n, 3)")
         last = indices_of([0, len(array) - 1] if ends is None and len(array) else [0] if ends is None else ends, "ends").reshape(-1)
@@ -121,12 +121,12 @@ class CurveQueries(Reported[CurveView]):
     ) -> Places:
         """Finds the places where the curve meets a line, or is within a distance of it. ``report.others.t`` has the line's parameters."""
         line = lines_of([vector(origin, "origin")], [vector(direction, "direction")], start, end)
-        return Places(create("places", self._handle, ffi.cast("struct gusset_line *", pointer(line)), float(within), name="curve_intersect_line",
+        return Places(create("places", self._handle, ffi.cast("struct gusset_line *", pointer(line)), real(within), name="curve_intersect_line",
                              threads=threads, progress=progress))
 
     def tangent_angle(self, direction: ArrayLike, angle: float, *, threads: int = 0, progress: Optional[Progress] = None) -> Places:
         """Finds the places where the tangent makes an angle, 0 to pi, with a direction."""
-        return Places(create("places", self._handle, vector(direction, "direction"), float(angle), name="curve_tangent_angle", threads=threads,
+        return Places(create("places", self._handle, vector(direction, "direction"), real(angle), name="curve_tangent_angle", threads=threads,
                              progress=progress))
 
     def part(self, start: CurvePlaces, end: CurvePlaces) -> Self:
@@ -161,12 +161,12 @@ class CurveQueries(Reported[CurveView]):
             the curve, and a bound of each segment's deviation.
         """
         out = np.zeros(max(len(self.report.ends) - 1, 0))
-        made = create("curve", self._handle, index(lowest, "lowest"), index(highest, "highest"), float(tolerance),
+        made = create("curve", self._handle, index(lowest, "lowest"), index(highest, "highest"), real(tolerance),
                       ffi.cast("double *", pointer(out)), name="curve_change_degree", threads=threads, progress=progress)
         return type(self)(made), out
 
     def _exported(self, form: int, tolerance: float = 0.0) -> CurveFormView:
-        made = create("curve_form", self._handle, form, float(tolerance), name="curve_export")
+        made = create("curve_form", self._handle, form, real(tolerance), name="curve_export")
         return CurveFormView.read(made)
 
     def svg(self) -> str:

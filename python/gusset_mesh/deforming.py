@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arrays import real
 from ._call import Progress
 from ._exchange import answer, handle_of, vector
 from ._handles import create
@@ -42,7 +43,7 @@ class NetDeforming(NetHandle):
         True
         """
         chain, count = fields_of(fields)
-        return self._changed(lib.gusset_net_deform, chain, count, float(time), threads=threads, progress=progress)
+        return self._changed(lib.gusset_net_deform, chain, count, real(time), threads=threads, progress=progress)
 
     def transform(self, *matrices: ArrayLike) -> Self:
         """Applies affine maps, in the given order. The faces of a mirrored net keep looking outwards.
@@ -58,18 +59,18 @@ class NetDeforming(NetHandle):
 
     def rotate(self, direction: ArrayLike, angle: float, point: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Rotates the net, right-handed, about the axis through a point along a direction."""
-        values = [*vector(direction, "direction"), float(angle), *vector(point, "point")]
+        values = [*vector(direction, "direction"), real(angle), *vector(point, "point")]
         return self._operated({"kind": lib.GUSSET_OPERATION_ROTATE, "values": values})
 
     def scale(self, ratio: ArrayLike) -> Self:
         """Scales the net about the origin, by one number, or by three for x, y and z."""
         if np.ndim(ratio) == 0:
-            return self._operated({"kind": lib.GUSSET_OPERATION_SCALE, "values": [float(np.asarray(ratio))]})
+            return self._operated({"kind": lib.GUSSET_OPERATION_SCALE, "values": [real(ratio)]})
         return self._operated({"kind": lib.GUSSET_OPERATION_STRETCH, "values": vector(ratio, "ratio")})
 
     def compress(self, axis: Axis, ratio: float) -> Self:
         """Scales distances from an axis."""
-        return self._operated({"kind": lib.GUSSET_OPERATION_COMPRESS, "axis": number_of("gusset_axis", "axis", axis), "values": [float(ratio)]})
+        return self._operated({"kind": lib.GUSSET_OPERATION_COMPRESS, "axis": number_of("gusset_axis", "axis", axis), "values": [real(ratio)]})
 
     def _operated(self, *operations: dict[str, Any]) -> Self:
         return self._changed(lib.gusset_net_transform, ffi.new("struct gusset_operation[]", list(operations) or 1), len(operations))
@@ -82,7 +83,7 @@ class NetDeforming(NetHandle):
         >>> bool(np.allclose(np.linalg.norm(ball.nodes, axis=2), 1.5, atol=1e-3))
         True
         """
-        return self._changed(lib.gusset_net_displace, float(distance))
+        return self._changed(lib.gusset_net_displace, real(distance))
 
     def morph(
         self, other: Self, t: float, path: MorphPath = "linear", *, threads: int = 0, progress: Optional[Progress] = None
@@ -94,7 +95,7 @@ class NetDeforming(NetHandle):
             path: ``"rigid"`` rotates the net as a whole: a rigidly moved net keeps its shape.
         """
         kind = number_of("gusset_morph_path", "path", path)
-        return self._of(create("net", self._handle, handle_of("net", other), float(t), kind, name="net_morph", threads=threads,
+        return self._of(create("net", self._handle, handle_of("net", other), real(t), kind, name="net_morph", threads=threads,
                                progress=progress))
 
     def planarise(

@@ -19,7 +19,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import pointer
+from ._arrays import pointer, real, reals_of
 from ._exchange import index, numbers, vector
 from ._library import ffi, holding, number_of
 from .choices import Axis, Easing, FieldKind
@@ -48,7 +48,7 @@ class Field:
 
     def with_strength(self, strength: float) -> Field:
         """Returns the field with another strength: 0 changes nothing, 1 applies the whole field."""
-        return replace(self, strength=float(strength))
+        return replace(self, strength=real(strength))
 
     def with_keys(self, times: ArrayLike, strengths: ArrayLike, easing: Easing = "linear") -> Field:
         """Returns the field with a strength that depends on time: given at rising times, and interpolated by ``easing``."""
@@ -79,7 +79,7 @@ def fields_of(given: Iterable[Field]) -> tuple[Any, int]:
 
 def _about(kind: FieldKind, axis: Axis, *values: float, other_axis: Optional[Axis] = None) -> Field:
     number_of("gusset_axis", "axis", axis)
-    return Field(kind, tuple(float(one) for one in values), axis, other_axis)
+    return Field(kind, tuple(real(one) for one in values), axis, other_axis)
 
 
 def affine(matrix: ArrayLike) -> Field:
@@ -89,7 +89,7 @@ def affine(matrix: ArrayLike) -> Field:
 
 def affine_rows(matrix: ArrayLike) -> list[float]:
     """Returns the three rows of four numbers of a matrix (3, 4) or (4, 4)."""
-    array = np.asarray(matrix, np.float64)
+    array = reals_of(matrix)
     if array.shape == (4, 4) and np.array_equal(array[3], [0, 0, 0, 1]):
         array = array[:3]
     if array.shape != (3, 4):
@@ -121,7 +121,7 @@ def shear(axis: Axis, other_axis: Axis, rate: float) -> Field:
 
 def spherify(centre: ArrayLike, radius: float) -> Field:
     """Projects onto a sphere from its centre, where the field is not defined."""
-    return Field("spherify", (*vector(centre, "centre"), float(radius)))
+    return Field("spherify", (*vector(centre, "centre"), real(radius)))
 
 
 def wrap_cylinder(axis: Axis, radius: float) -> Field:

@@ -8,7 +8,7 @@ from typing import Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import pointer
+from ._arrays import pointer, reals_of
 from ._call import Progress
 from ._exchange import index, vector
 from ._handles import Reported, create
@@ -71,7 +71,7 @@ class Frame(Reported[FrameView]):
         >>> bool(np.allclose(np.hypot(*Frame(rings, closed=True).offset(0.5).nodes[..., :2].T), 1.5))
         True
         """
-        given = np.ascontiguousarray(distances, np.float64).reshape(-1)
+        given = np.ascontiguousarray(reals_of(distances)).reshape(-1)
         made = Frame.__new__(Frame)
         which = number_of("gusset_offset_direction", "direction", direction)
         Reported.__init__(made, create("frame", self._handle, ffi.cast("double *", pointer(given)), len(given), which, name="frame_offset",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional, Union, ove
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import indices_of, pointer
+from ._arrays import indices_of, pointer, real
 from ._call import Progress, call
 from ._exchange import index, listed, sized
 from ._handles import Reported, create
@@ -214,14 +214,14 @@ class NetGluing(NetHandle):
         given = sized("gusset_glue_options", gluings=structs, gluing_count=len(gluings), links=ffi.cast("uint32_t *", pointer(contracted)),
                       link_count=len(contracted), saturate=int(bool(saturate)), snap=int(bool(snap)))
         if detect is not None:
-            given.tolerance, given.detect = float(detect), 1
+            given.tolerance, given.detect = real(detect), 1
         return self._changed(lib.gusset_net_glue, holding(given, structs, contracted), ffi.NULL, threads=threads, progress=progress)
 
     def unglue(
         self, *gluings: LocalGluing, separation: float = 0.0, threads: int = 0, progress: Optional[Progress] = None
     ) -> Self:
         """Unglues pairs of nodes. With a separation, the pieces of a point move apart."""
-        return self._changed(lib.gusset_net_unglue, _gluings(gluings), len(gluings), float(separation), ffi.NULL,
+        return self._changed(lib.gusset_net_unglue, _gluings(gluings), len(gluings), real(separation), ffi.NULL,
                              threads=threads, progress=progress)
 
     def classes(self) -> NDArray[np.uint32]:

@@ -8,7 +8,7 @@ from typing import Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import pointer
+from ._arrays import floats_of, pointer
 from ._call import Progress, call
 from ._handles import Result, create, result
 from ._keywords import options as structs
@@ -48,9 +48,7 @@ class Net(NetReshaping, NetDeforming, NetGluing, NetBridges, NetAnalysing, NetEn
     """
 
     def __init__(self, nodes: ArrayLike, sides: Union[Sides, Sequence[Sides]] = "sheet"):
-        array = np.asarray(nodes)
-        if array.dtype not in (np.float32, np.float64):
-            array = array.astype(np.float64)
+        array = floats_of(nodes)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
         # Nodes that share memory or run backwards are copied.
@@ -76,9 +74,7 @@ class Net(NetReshaping, NetDeforming, NetGluing, NetBridges, NetAnalysing, NetEn
         no_data: Optional[float] = None
     ) -> Net:
         """Makes a net of a grid of heights (rows, columns). NaN and ``no_data`` mark missing nodes."""
-        array = np.asarray(heights)
-        if array.dtype not in (np.float32, np.float64):
-            array = array.astype(np.float64)
+        array = floats_of(heights)
         if array.ndim != 2:
             raise ValueError(f"heights have the shape {array.shape}, not (rows, columns)")
         if array.size and (array.strides[1] != array.itemsize or array.strides[0] < array.shape[1] * array.itemsize):

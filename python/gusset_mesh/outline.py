@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import pointer
+from ._arrays import pointer, real
 from ._call import Progress, call
 from ._exchange import handle_of
 from ._handles import Reported, create
@@ -66,7 +66,7 @@ class Curve(CurveQueries):
 
     def sample(self, amount: float, rule: SampleRule = "count") -> Places:
         """Samples points: ``amount`` points at equal arc lengths, steps of this length, or chords within this distance."""
-        return Places(create("places", self._handle, number_of("gusset_sample_rule", "rule", rule), float(amount), name="curve_sample"))
+        return Places(create("places", self._handle, number_of("gusset_sample_rule", "rule", rule), real(amount), name="curve_sample"))
 
     def nearest(self, points: ArrayLike) -> CurveNearestPointArray:
         """Finds the nearest point of the curve for each of (n, 3) points."""
@@ -78,12 +78,12 @@ class Curve(CurveQueries):
     def intersect(self, other: Optional[Curve] = None, within: float = 0.0) -> Places:
         """Finds the places where two curves meet, or are within a distance of each other. Without another curve: where a plane curve meets itself."""
         second = ffi.NULL if other is None else handle_of("curve", other)
-        return Places(create("places", self._handle, second, float(within), name="curve_intersect"))
+        return Places(create("places", self._handle, second, real(within), name="curve_intersect"))
 
     def offset(self, distance: float, **options: Unpack[OffsetOptions]) -> Curve:
         """Makes the curve at a distance to the left."""
         given: dict[str, Any] = {"tolerance": 1e-6 * float(np.ptp(self.controls, axis=0).max() or 1), **options}
-        return Curve(create("curve", self._handle, float(distance), structs("offset_options", given), ffi.NULL, name="curve_offset"))
+        return Curve(create("curve", self._handle, real(distance), structs("offset_options", given), ffi.NULL, name="curve_offset"))
 
 
 class Outline(Reported[OutlineView]):

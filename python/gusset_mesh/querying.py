@@ -7,7 +7,7 @@ from typing import NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import pointer
+from ._arrays import pointer, real
 from ._call import Progress, call
 from ._exchange import answer, handle_of, lines_of, sized, vector
 from ._handles import Reported, create
@@ -91,8 +91,8 @@ class SurfaceQueries(Reported[SurfaceReport]):
         if isinstance(target, Line):
             given.kind = lib.GUSSET_TARGET_LINE
             given.line.origin, given.line.direction = vector(target.origin, "origin"), vector(target.direction, "direction")
-            setattr(given.line, "from", float(target.start))
-            given.line.to = float(target.end)
+            setattr(given.line, "from", real(target.start))
+            given.line.to = real(target.end)
         elif isinstance(target, Plane):
             given.kind, given.point, given.normal = lib.GUSSET_TARGET_PLANE, vector(target.point, "point"), vector(target.normal, "normal")
         elif isinstance(target, Curve):
@@ -101,7 +101,7 @@ class SurfaceQueries(Reported[SurfaceReport]):
             given.kind, given.surface = lib.GUSSET_TARGET_SURFACE, target._handle
         else:
             raise TypeError(f"distances are measured to a Line, Plane, Curve or Surface, not to a {type(target).__name__}")
-        return answer(DistanceReport, lib.gusset_surface_distance, self._handle, given, float(tolerance), threads=threads, progress=progress)
+        return answer(DistanceReport, lib.gusset_surface_distance, self._handle, given, real(tolerance), threads=threads, progress=progress)
 
     def minima(
         self, query: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NearestOptions]
@@ -139,17 +139,17 @@ class SurfaceQueries(Reported[SurfaceReport]):
         self, direction: ArrayLike, angle: float, *, unsigned_normals: bool = False, threads: int = 0, progress: Optional[Progress] = None
     ) -> NearestAngleReport:
         """Finds the normal whose angle with a direction is nearest to a given angle."""
-        return answer(NearestAngleReport, lib.gusset_surface_nearest_angle, self._handle, vector(direction, "direction"), float(angle),
+        return answer(NearestAngleReport, lib.gusset_surface_nearest_angle, self._handle, vector(direction, "direction"), real(angle),
                       int(bool(unsigned_normals)), threads=threads, progress=progress)
 
     def region(self, query: ArrayLike, radius: float, *, threads: int = 0, progress: Optional[Progress] = None) -> SurfaceCells:
         """Finds the cells that have a point within a radius of a query. No cell is missed."""
-        return SurfaceCells(create("surface_cells", self._handle, vector(query, "query"), float(radius), name="surface_region", threads=threads,
+        return SurfaceCells(create("surface_cells", self._handle, vector(query, "query"), real(radius), name="surface_region", threads=threads,
                                    progress=progress))
 
     def cell_pairs(
         self, other: SurfaceQueries, within: float = 0.0, *, threads: int = 0, progress: Optional[Progress] = None
     ) -> SurfaceCells:
         """Finds the pairs of cells of two surfaces that may be within a distance of each other. No pair is missed."""
-        return SurfaceCells(create("surface_cells", self._handle, handle_of("surface", other), float(within), name="surface_cell_pairs",
+        return SurfaceCells(create("surface_cells", self._handle, handle_of("surface", other), real(within), name="surface_cell_pairs",
                                    threads=threads, progress=progress))

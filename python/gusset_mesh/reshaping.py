@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, Optional, TypeVar
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from ._arrays import SCALARS, pointer
+from ._arrays import SCALARS, pointer, real
 from ._call import Progress, call
 from ._exchange import index, sized
 from ._handles import Reported, create
@@ -122,7 +122,7 @@ class NetReshaping(NetHandle):
 
     def clear_no_data(self, value: float) -> Self:
         """Makes nodes missing that have a coordinate equal to a value."""
-        return self._changed(lib.gusset_net_clear_no_data, float(value))
+        return self._changed(lib.gusset_net_clear_no_data, real(value))
 
     def resample(
         self, rows: int, columns: int, interpolation: Interpolation = "bicubic", *, threads: int = 0, progress: Optional[Progress] = None
@@ -143,7 +143,7 @@ class NetReshaping(NetHandle):
         rows, columns = (np.zeros(count, np.uint32) for count in self.shape)
         deviation = ffi.new("double *")
         at = (ffi.cast("uint32_t *", pointer(one)) for one in (rows, columns))
-        net = self._of(create("net", self._handle, float(tolerance), *at, deviation, name="net_decimate", threads=threads, progress=progress))
+        net = self._of(create("net", self._handle, real(tolerance), *at, deviation, name="net_decimate", threads=threads, progress=progress))
         return DecimatedNet(net, rows[:net.shape[0]], columns[:net.shape[1]], float(deviation[0]))
 
     def pyramid(

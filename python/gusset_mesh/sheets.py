@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import pointer
+from ._arrays import pointer, real, reals_of
 from ._call import Progress, call
 from ._exchange import answer, handle_of, handles_of, index, numbers, sized
 from ._handles import Reported, create
@@ -97,7 +97,7 @@ class SheetMaking(Reported[SheetReport]):
         given = sized(
             "gusset_spline", points=at[0], count_u=array.shape[0], count_v=array.shape[1], knots_u=at[1], knot_count_u=len(knots[0]), knots_v=at[2],
             knot_count_v=len(knots[1]), degree_u=index(degree_u, "degree_u"), degree_v=index(degree_v, "degree_v"), closed_u=int(bool(closed_u)),
-            closed_v=int(bool(closed_v)), weights=at[3], tolerance=float(tolerance), max_cells=index(max_cells, "max_cells", 64),
+            closed_v=int(bool(closed_v)), weights=at[3], tolerance=real(tolerance), max_cells=index(max_cells, "max_cells", 64),
         )
         return cls._of(create("sheet", given, name="sheet_from_spline", threads=threads, progress=progress))
 
@@ -116,7 +116,7 @@ class SheetMaking(Reported[SheetReport]):
             closed_v: the rows are closed, and the first column follows the last.
         """
         lists = handles_of("curve", rows), handles_of("curve", columns)
-        given = sized("gusset_curve_net", rows=lists[0], row_count=len(rows), columns=lists[1], column_count=len(columns), tolerance=float(tolerance),
+        given = sized("gusset_curve_net", rows=lists[0], row_count=len(rows), columns=lists[1], column_count=len(columns), tolerance=real(tolerance),
                       closed_u=int(bool(closed_u)), closed_v=int(bool(closed_v)))
         return cls._of(create("sheet", given, name="sheet_from_curves", threads=threads, progress=progress))
 
@@ -143,7 +143,7 @@ class SheetMaking(Reported[SheetReport]):
         >>> bool(np.allclose(moved.mesh().mesh.points[:, 2], 0.25)), deviation < 1e-12
         (True, True)
         """
-        given = np.ascontiguousarray(distances, np.float64).reshape(-1)
+        given = np.ascontiguousarray(reals_of(distances)).reshape(-1)
         deviation = ffi.new("double *")
         made = create("sheet", self._handle, ffi.cast("double *", pointer(given)), len(given), deviation, name="sheet_offset", threads=threads,
                       progress=progress)
@@ -151,7 +151,7 @@ class SheetMaking(Reported[SheetReport]):
 
     def curve(self, along: Literal["rows", "columns"], parameter: float) -> Curve:
         """Makes the coordinate curve along rows (u is constant) or along columns (v is constant)."""
-        return Curve(create("curve", self._handle, one_of(_ALONG, "along", along), float(parameter), name="sheet_curve"))
+        return Curve(create("curve", self._handle, one_of(_ALONG, "along", along), real(parameter), name="sheet_curve"))
 
     def measure(self, *, threads: int = 0, progress: Optional[Progress] = None) -> SheetMeasures:
         """Measures the sheet: diameters, a bound of curvatures, the largest crease."""

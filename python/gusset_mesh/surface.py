@@ -8,7 +8,7 @@ from typing import Any, Optional, Union, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import pointer
+from ._arrays import floats_of, pointer, reals_of
 from ._call import Progress, call
 from ._exchange import LINE, handle_of, lines_of, vector
 from ._handles import Reported, Result, create, result
@@ -48,9 +48,7 @@ class Sheet(SheetMaking):
         self, nodes: ArrayLike, tangents: Optional[tuple[ArrayLike, ArrayLike]] = None, *, twists: GivenTwists = "differences",
         closed_u: bool = False, closed_v: bool = False, scheme: Scheme = "six_tap",
     ):
-        array = np.asarray(nodes)
-        if array.dtype not in (np.float32, np.float64):
-            array = array.astype(np.float64)
+        array = floats_of(nodes)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
         across = 3 * array.itemsize
@@ -152,7 +150,7 @@ class Surface(SurfaceQueries):
         self, points: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NearestOptions]
     ) -> SurfaceNearestPointArray:
         """Finds the nearest point of the surface for each of (n, 3) points. No point of the surface is nearer than ``bound``."""
-        queries = np.ascontiguousarray(points, np.float64)
+        queries = np.ascontiguousarray(reals_of(points))
         if queries.ndim != 2 or queries.shape[1] != 3:
             raise ValueError(f"points have the shape {queries.shape}, not (n, 3)")
         out = SurfaceNearestPointArray.zeros(len(queries))
@@ -177,7 +175,7 @@ class Surface(SurfaceQueries):
         Args:
             values: the function at the corners of all cells, sheet by sheet, row by row.
         """
-        given = np.ascontiguousarray(values, np.float64).reshape(-1)
+        given = np.ascontiguousarray(reals_of(values)).reshape(-1)
         numbers = holding(ffi.cast("double *", pointer(given)), given)
         function = {"kind": lib.GUSSET_CONTOUR_VALUES, "values": numbers, "value_count": given.size}
         return self._contours(function, levels, options, threads, progress)
@@ -194,7 +192,7 @@ class Surface(SurfaceQueries):
         self, function: dict[str, Any], levels: ArrayLike, options: ContourOptions, threads: int, progress: Optional[Progress]
     ) -> SurfacePaths:
         struct = ffi.new("struct gusset_contour_function *", {"struct_size": ffi.sizeof("struct gusset_contour_function"), **function})
-        rising = np.ascontiguousarray(levels, np.float64).reshape(-1)
+        rising = np.ascontiguousarray(reals_of(levels)).reshape(-1)
         at = holding(ffi.cast("double *", pointer(rising)), rising)
         return SurfacePaths(create("surface_paths", self._handle, struct, at, len(rising), structs("contour_options", options),
                                    name="surface_contours", threads=threads, progress=progress))
@@ -222,7 +220,7 @@ class Surface(SurfaceQueries):
 
     def evaluate(self, parameters: ArrayLike, sheet: int = 0) -> SurfacePointArray:
         """Computes points, derivatives, normals and curvatures at (n, 2) parameters u, v of a sheet. Node (i, j) has u = i, v = j."""
-        given = np.ascontiguousarray(parameters, np.float64)
+        given = np.ascontiguousarray(reals_of(parameters))
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError(f"parameters have the shape {given.shape}, not (n, 2)")
         places, out = SurfacePlaceArray.zeros(len(given)), SurfacePointArray.zeros(len(given))

@@ -163,3 +163,40 @@ def test_pyvista_datasets():
     curves, report = pv.Line(resolution=5).gusset.outline()
     assert curves.n_lines == 1
     assert half.gusset.join(trimesh.creation.icosphere()).n_cells > half.n_cells
+
+
+SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+NODES = np.stack([*np.meshgrid(np.arange(5.0), np.arange(4.0), indexing="ij"), np.zeros((5, 4))], axis=2)
+BAR = gm.Curve.through(SQUARE)
+RINGS = [SQUARE + [0, 0, z] for z in (0, 1, 2)]
+TAKES_NUMBERS = {
+    "points of meshes": lambda numbers: gm.check((numbers(SQUARE), [[0, 1, 2, 3]])),
+    "points of polygons": lambda numbers: gm.Mesh.from_polygons(numbers(SQUARE), [0, 4], [0, 1, 2, 3]),
+    "points of curves": lambda numbers: gm.Curve.through(numbers(SQUARE)),
+    "controls": lambda numbers: gm.Curve.from_controls(numbers(SQUARE), [0, 3]),
+    "outlines": lambda numbers: gm.Outline(numbers(SQUARE)),
+    "sections of frames": lambda numbers: gm.Frame([numbers(ring) for ring in RINGS], closed=True),
+    "distances of frames": lambda numbers: gm.Frame(RINGS, closed=True).offset(numbers([0.5, 0.5, 0.5])),
+    "queries of curves": lambda numbers: BAR.nearest(numbers(SQUARE)),
+    "lengths": lambda numbers: BAR.places_at(numbers([0.1, 0.2])),
+    "vectors": lambda numbers: BAR.intersect_plane(numbers([0.5, 0, 0]), [1, 0, 0]),
+    "nodes of nets": lambda numbers: gm.Net(numbers(NODES)),
+    "heights": lambda numbers: gm.Net.from_heights(numbers(NODES[..., 0])),
+    "nodes of sheets": lambda numbers: gm.Sheet(numbers(NODES)),
+    "offsets of sheets": lambda numbers: gm.Sheet(NODES).offset(numbers([0.5])),
+    "queries of surfaces": lambda numbers: gm.Surface(gm.Sheet(NODES)).nearest(numbers(SQUARE)),
+    "parameters": lambda numbers: gm.Surface(gm.Sheet(NODES)).evaluate(numbers([[0.5, 0.5]])),
+    "lines": lambda numbers: gm.Surface(gm.Sheet(NODES)).hits(numbers([0.5, 0.5, -1]), [0, 0, 1]),
+    "offsets of planes": lambda numbers: gm.sections(TUBE, [0, 0, 0.1], [0, 0, 1], numbers([0.0])),
+    "ratios": lambda numbers: gm.Net(NODES).scale(numbers(2.0)[()]),
+    "tolerances": lambda numbers: gm.Net(NODES).decimate(numbers(0.1)[()]),
+    "viewpoints": lambda numbers: gm.trim([TUBE, TUBE], viewpoints=numbers(np.zeros((2, 3)))),
+}
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", TAKES_NUMBERS)
+def test_complex_numbers_are_refused(name):
+    TAKES_NUMBERS[name](np.asarray)
+    with pytest.raises((TypeError, ValueError), match="complex"):
+        TAKES_NUMBERS[name](lambda numbers: np.asarray(numbers) + 1j)
