@@ -264,7 +264,8 @@ pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
 
 /// Sets the number of threads.
 ///
-/// @param threads 0: all of the machine; 1: the calling thread.
+/// @param threads 0: a thread for each processor that the calling thread may use; 1: the calling
+///     thread.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {

@@ -79,7 +79,7 @@ pub struct gusset_hole {
     /// Diagonal of the loop's axis-aligned box.
     pub diameter: f64,
     /// Area of triangles from the loop's edges to the mean of its vertices: exact for a planar
-    /// convex hole, else more.
+    /// convex hole, else more. Infinite if it overflows.
     pub area: f64,
     /// Outcome for one loop.
     pub status: gusset_hole_status,

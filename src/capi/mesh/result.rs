@@ -132,7 +132,7 @@ pub struct gusset_quality_report {
     pub max_aspect: f64,
     /// Longest edge of new faces.
     pub max_edge: f64,
-    /// Area of new faces.
+    /// Area of new faces. Infinite if it overflows.
     pub area: f64,
     /// New triangles of area 0.
     pub degenerate_faces: u32,

@@ -312,7 +312,7 @@ fn measure_flat_chart(
     let mut energy = 0.0;
     for (k, ((triangle, shape), &f)) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces).enumerate() {
         job.step_within_list(k, STAGE)?;
-        // All edges of an exact chart keep their lengths, also those of a triangle without area.
+        // All edges of an exact chart keep their lengths, also in a triangle without area.
         let keeps_lengths = finish == Finish::Exact && shape.is_clamped;
         let own = || Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
         let [most, least] = if keeps_lengths { [1.0; 2] } else { own() };

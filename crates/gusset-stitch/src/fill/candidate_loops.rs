@@ -6,7 +6,8 @@ use crate::stitch::{FreeEdges, check_loop_indices};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::{Aabb, scale::overflow_safe_distance, triangle::double_area};
+use gusset_base::geom::scale::{common_unit, overflow_safe_distance};
+use gusset_base::geom::{Aabb, triangle::double_area};
 use gusset_mesh::{MeshView, vertex_components};
 use std::collections::HashSet;
 
@@ -109,7 +110,9 @@ const MIN_SHEET_FLATNESS: f64 = 0.75;
 struct MeshComponents {
     /// Component number of each vertex.
     component: Vec<u32>,
-    /// Area and area vector of each component.
+    /// The unit in which areas neither overflow nor underflow, a power of two.
+    unit: f64,
+    /// Area and area vector of each component, in the unit.
     areas: Vec<(f64, DVec3)>,
     /// The number of vertices of each component.
     sizes: Vec<u32>,
@@ -120,9 +123,14 @@ impl MeshComponents {
     fn new(mesh: &MeshView<'_>) -> Result<MeshComponents> {
         let mut sets = vertex_components(mesh)?;
         let component = alloc::collect((0..mesh.positions().len() as u32).map(|v| sets.find(v)))?;
+        let largest = mesh
+            .faces()
+            .corners(0..mesh.faces().half_edge_count())
+            .fold(DVec3::ZERO, |largest, v| largest.max(mesh.positions().get(v).abs()));
+        let unit = common_unit([&largest]);
         let mut areas = alloc::filled((0.0, DVec3::ZERO), component.len())?;
         for f in 0..mesh.faces().len() {
-            let corners = || mesh.face(f).map(|v| mesh.positions().get(v));
+            let corners = || mesh.face(f).map(|v| mesh.positions().get(v) / unit);
             let (Some(first), Some(vertex)) = (corners().next(), mesh.face(f).next()) else {
                 continue;
             };
@@ -134,7 +142,7 @@ impl MeshComponents {
         }
         let mut sizes = alloc::filled(0, component.len())?;
         component.iter().for_each(|&c| sizes[c as usize] += 1);
-        Ok(MeshComponents { component, areas, sizes })
+        Ok(MeshComponents { component, unit, areas, sizes })
     }
 
     /// Returns true if a simple loop passes all vertices of its component.
@@ -146,22 +154,23 @@ impl MeshComponents {
     /// `None` unless the component is a sheet.
     fn reach_in_sheet(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> Option<f64> {
         let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
-        (own.length() >= MIN_SHEET_FLATNESS * area).then(|| area_vector(mesh, vertices).dot(own.normalize_or_zero()))
+        (own.length() >= MIN_SHEET_FLATNESS * area)
+            .then(|| self.area_vector(mesh, vertices).dot(own.normalize_or_zero()))
     }
 
     /// Returns true if the loop runs around the outside of its sheet; see [`Keep::OuterBorders`].
     fn is_outer_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
         let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
-        let vector = area_vector(mesh, vertices);
+        let vector = self.area_vector(mesh, vertices);
         vector.dot(own) > 0.0 && vector.length() >= 0.5 * area
     }
-}
 
-/// Returns the area vector of a loop.
-fn area_vector(mesh: &MeshView<'_>, vertices: &[u32]) -> DVec3 {
-    let origin = mesh.positions().get(vertices[0]);
-    let at = |v: &u32| mesh.positions().get(*v) - origin;
-    vertices.iter().zip(vertices.iter().cycle().skip(1)).map(|(u, v)| at(u).cross(at(v)) / 2.0).sum()
+    /// Returns the area vector of a loop, in the unit.
+    fn area_vector(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> DVec3 {
+        let origin = mesh.positions().get(vertices[0]) / self.unit;
+        let at = |v: &u32| mesh.positions().get(*v) / self.unit - origin;
+        vertices.iter().zip(vertices.iter().cycle().skip(1)).map(|(u, v)| at(u).cross(at(v)) / 2.0).sum()
+    }
 }
 
 fn status_of_flags(flags: LoopFlags) -> HoleStatus {
@@ -248,10 +257,53 @@ fn loop_measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
     }
     let point = |i: usize| mesh.positions().get(vertices[i % n]);
     let whole = Aabb::from_points((0..n).map(point));
-    let centre = (0..n).map(|i| point(i) / n as f64).sum::<DVec3>();
+    // Only the area itself may overflow, not its square.
+    let unit = common_unit([&whole.low, &whole.high]);
+    let scaled = |i: usize| point(i) / unit;
+    let centre = (0..n).map(|i| scaled(i) / n as f64).sum::<DVec3>();
+    let double: f64 = (0..n).map(|i| double_area(centre, scaled(i), scaled(i + 1))).sum();
     Measures {
         length: (0..n).map(|i| overflow_safe_distance(point(i), point(i + 1))).sum(),
         diameter: overflow_safe_distance(whole.low, whole.high),
-        area: (0..n).map(|i| double_area(centre, point(i), point(i + 1)) / 2.0).sum(),
+        area: unit * (double / 2.0) * unit,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HoleStatus, Keep, LoopSelection, Options, choose_loops};
+    use crate::boundary::{self, boundary_loops};
+    use gusset_base::job::Job;
+    use gusset_mesh::{Faces, MeshView, Positions};
+
+    /// The statuses, areas and lengths of the loops of a square sheet with a square hole.
+    fn loops_of_sheet(size: f64, keep: Keep) -> Vec<(HoleStatus, f64, f64)> {
+        let points: Vec<_> = (0..16).map(|k| [size * f64::from(k / 4), size * f64::from(k % 4), 0.0]).collect();
+        let quads = (0..9).filter(|&k| k != 4).map(|k: u32| k / 3 * 4 + k % 3);
+        let corners: Vec<_> = quads.map(|v| [v, v + 4, v + 5, v + 1]).collect();
+        let faces = Faces::quads(&corners).unwrap();
+        let mesh = MeshView::new(Positions::from(&points[..]), faces, &Job::default()).unwrap();
+        let found = boundary_loops(&mesh, &boundary::Options::default(), &Job::default()).unwrap();
+        let options = Options { keep, ..Options::default() };
+        let chosen = choose_loops(&mesh, &found, LoopSelection::All, &[], &options).unwrap();
+        chosen.iter().map(|one| (one.status, one.measures.area, one.measures.length)).collect()
+    }
+
+    #[test]
+    fn outer_borders_and_areas_do_not_depend_on_the_unit() {
+        for keep in [Keep::Auto, Keep::OuterBorders] {
+            let expected = loops_of_sheet(1.0, keep);
+            assert_eq!(expected.iter().map(|one| one.1).sum::<f64>(), 10.0);
+            assert_eq!(expected.iter().filter(|one| one.0 == HoleStatus::Kept).count(), 1);
+            for exponent in [-1000, -600, -300, 300, 400, 500, 510] {
+                let size = 2f64.powi(exponent);
+                let scaled = expected.iter().map(|&(status, area, length)| (status, size * area * size, size * length));
+                assert_eq!(loops_of_sheet(size, keep), scaled.collect::<Vec<_>>(), "2^{exponent}");
+            }
+            // The areas overflow, but not the decisions.
+            let large = loops_of_sheet(1e200, keep);
+            assert!(large.iter().all(|one| one.1 == f64::INFINITY));
+            assert!(large.iter().zip(&expected).all(|(a, b)| a.0 == b.0));
+        }
     }
 }
