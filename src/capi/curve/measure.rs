@@ -36,7 +36,8 @@ pub const GUSSET_CURVE_MEASURE_BOUNDS: gusset_curve_measure_flags = 2;
 pub const GUSSET_CURVE_MEASURE_CENTRE: gusset_curve_measure_flags = 4;
 /// `area_vector` and `area`.
 pub const GUSSET_CURVE_MEASURE_AREA: gusset_curve_measure_flags = 8;
-/// `centroid` and `second`; only for a curve with points in the plane z = 0.
+/// `centroid` and `second`; only for a curve with points in the plane z = 0, and unless they
+/// overflow.
 pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
 
 /// Measures of a curve. A chord closes open curves.
@@ -225,6 +226,7 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 /// to degree 2, measures are exact up to rounding.
 ///
 /// @param flags 0: all.
+/// @errors OUT_OF_RANGE (a measure overflows: the largest coordinate)
 /// @complexity O(points) for length and bounds, else O(sum of degree^2).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -3,7 +3,7 @@
 use super::{AreaMoments, Bounds};
 use crate::curve::{CurveView, Place};
 use glam::DVec3;
-use gusset_base::error::Result;
+use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
@@ -46,7 +46,8 @@ pub struct Measures {
     pub centre: Option<DVec3>,
     /// Half the integral of r x dr; see [`CurveView::area_vector`].
     pub area_vector: Option<DVec3>,
-    /// The moments of the enclosed region. Only a curve in the plane z = 0 with points has them.
+    /// The moments of the enclosed region. Only a curve in the plane z = 0 with points has them, and
+    /// only if they are finite: they are fourth powers of lengths.
     pub moments: Option<AreaMoments>,
 }
 
@@ -54,7 +55,16 @@ impl Measures {
     /// Returns the length of the area vector: the area of the largest shadow, never negative. 0
     /// without an area vector.
     pub fn area(&self) -> f64 {
-        self.area_vector.unwrap_or_default().length()
+        let vector = self.area_vector.unwrap_or_default();
+        let unit = common_unit([&vector]);
+        (vector / unit).length() * unit
+    }
+
+    /// Returns true if no measure has overflowed.
+    fn are_finite(&self) -> bool {
+        let [low, high] = self.bounds.map_or([DVec3::ZERO; 2], |bounds| [bounds.low, bounds.high]);
+        let points = [low, high, self.centre.unwrap_or_default(), self.area_vector.unwrap_or_default()];
+        self.length.unwrap_or_default().is_finite() && self.area().is_finite() && points.iter().all(|p| p.is_finite())
     }
 }
 
@@ -63,6 +73,8 @@ impl CurveView<'_> {
     /// their costs.
     ///
     /// # Errors
+    /// [`CoordinateTooLarge`](gusset_base::Error::CoordinateTooLarge) with the largest coordinate if
+    /// a measure other than the moments overflows;
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn measures(&self, selection: MeasureSelection, job: &Job<'_>) -> Result<Measures> {
@@ -74,13 +86,24 @@ impl CurveView<'_> {
             let count = asked.iter().filter(|&&asked| asked).count();
             asked[k].then(|| job.sub_job_of_item(asked[..k].iter().filter(|&&asked| asked).count(), count))
         };
-        Ok(Measures {
+        let is_finite = |moments: &AreaMoments| {
+            moments.area.is_finite() && moments.centroid.is_finite() && moments.second.iter().all(|x| x.is_finite())
+        };
+        let measures = Measures {
             length: share(0).map(|job| Ok(self.arc_lengths(&job)?.total_length())).transpose()?,
             bounds: share(1).map(|job| self.bounding_box(&job)).transpose()?,
             centre: share(2).map(|job| self.centre(&job)).transpose()?,
             area_vector: share(3).map(|job| self.area_vector(&job)).transpose()?,
-            moments: share(4).map(|job| self.moments(&job)).transpose()?,
-        })
+            moments: share(4).map(|job| self.moments(&job)).transpose()?.filter(is_finite),
+        };
+        if measures.are_finite() { Ok(measures) } else { Err(self.describe_largest_coordinate()) }
+    }
+
+    /// Returns the error that names the largest coordinate.
+    fn describe_largest_coordinate(&self) -> Error {
+        let coordinates = self.points().iter().zip(0..).flat_map(|(p, index)| p.to_array().map(|x| (index, x)));
+        let largest = coordinates.fold((0, 0.0_f64), |most, one| if one.1.abs() > most.1.abs() { one } else { most });
+        Error::CoordinateTooLarge { element: Element::Point, index: largest.0, value: largest.1 }
     }
 
     /// Computes the mean of the curve's points by arc length, from 16 chords of each segment at
@@ -110,5 +133,39 @@ impl CurveView<'_> {
             }
         }
         Ok(if weight > 0.0 { start + weighted / weight * unit } else { start })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::MeasureSelection;
+    use crate::curve::CurveView;
+    use glam::DVec3;
+    use gusset_base::error::{Element, Error};
+    use gusset_base::job::Job;
+
+    #[test]
+    fn measures_are_finite_or_refused() {
+        // A triangle of area 6 and length 12, of straight cubics.
+        let corners = [DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(4.0, -3.0, 0.0), DVec3::ZERO];
+        let ends = [0, 3, 6, 9];
+        for size in [1e-300, 1e-100, 1.0, 1e37, 1e70, 1e80, 1e100, 1e150, 1e155, 1e200, 1e307] {
+            let points: Vec<_> =
+                (0..10).map(|k| size * corners[k / 3].lerp(corners[(k + 2) / 3], (k % 3) as f64 / 3.0)).collect();
+            let curve = CurveView::new(&points, &ends, true).unwrap();
+            let found = curve.measures(MeasureSelection::ALL, &Job::default());
+            if size > 1e153 {
+                let expected = Error::CoordinateTooLarge { element: Element::Point, index: 3, value: 4.0 * size };
+                assert_eq!(found, Err(expected), "{size:e}");
+                let length = MeasureSelection { area: false, moments: false, ..MeasureSelection::ALL };
+                let found = curve.measures(length, &Job::default()).unwrap();
+                assert!((found.length.unwrap() / size / 12.0 - 1.0).abs() < 1e-12, "{size:e}");
+                continue;
+            }
+            let found = found.unwrap();
+            assert!((found.length.unwrap() / size / 12.0 - 1.0).abs() < 1e-12, "{size:e}");
+            assert!((found.area() - size * 6.0 * size).abs() <= size * 1e-12 * size, "{size:e}: {}", found.area());
+            assert_eq!(found.moments.is_some(), size < 1e75, "{size:e}");
+        }
     }
 }
