@@ -1,9 +1,10 @@
 //! Surfaces without area, and coordinates of any size: results are finite, or the call fails.
 
-use super::{Cuts, Distortion, Finish, Options, develop};
+use super::{Cuts, Developed, Distortion, Finish, Options, develop};
 use gusset_base::error::{Element, Error};
 use gusset_base::job::Job;
 use gusset_mesh::{Faces, MeshView, Positions};
+use std::collections::HashSet;
 
 /// Sizes at which squares of coordinates are 0, subnormal, finite and infinite.
 const SIZES: [f64; 10] = [0.0, 5e-324, 1e-310, 1e-200, 1e-160, 1.0, 1e100, 1e149, 1e155, 1e300];
@@ -27,7 +28,14 @@ fn shapes() -> Vec<Shape> {
     vec![(grid, quads), (corner[..3].to_vec(), vec![vec![0, 1, 2]]), (corner, sides), (poles, eighths.collect())]
 }
 
-/// Develops a mesh. Checks that all numbers are finite, or returns the error.
+/// Returns the Euler characteristic of a development: the number of its charts if all are discs.
+fn euler_characteristic(done: &Developed) -> usize {
+    let sides = done.mesh.faces().flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));
+    let edges: HashSet<_> = sides.map(|(u, v)| (u.min(v), u.max(v))).collect();
+    done.points.len() + done.mesh.face_count() - edges.len()
+}
+
+/// Develops a mesh. Checks that all charts are discs and all numbers finite, or returns the error.
 fn check_finite(
     points: &[[f64; 3]],
     faces: &[Vec<u32>],
@@ -40,6 +48,7 @@ fn check_finite(
     let faces = Faces::polygons(&offsets, &corners).unwrap();
     let mesh = MeshView::new(Positions::from(points), faces, &Job::default()).unwrap();
     let done = develop(&mesh, options, &Job::default())?;
+    assert_eq!(euler_characteristic(&done), done.charts.len(), "{context}");
     assert!(done.points.iter().all(|p| p.is_finite()), "{context}: {:?}", done.points);
     assert!(done.stretches.as_flattened().iter().all(|s| s.is_finite()), "{context}: {:?}", done.stretches);
     for chart in &done.charts {
