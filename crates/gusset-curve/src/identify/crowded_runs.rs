@@ -98,9 +98,12 @@ impl RunSearch {
 /// do not cross.
 fn do_spans_around_block_advance(spans: &Spans<'_>, block: usize) -> bool {
     let (count, window) = (spans.len(), SPANS_PER_BLOCK + 2 * MAX_SPANS_ACROSS_RUN);
+    if window >= count {
+        return false;
+    }
     let start = if block >= MAX_SPANS_ACROSS_RUN { block } else { block + count } - MAX_SPANS_ACROSS_RUN;
     let is_whole = spans.closed || (block >= MAX_SPANS_ACROSS_RUN && start + window <= count);
-    window < count && is_whole && spans.do_spans_advance(start % count, window)
+    is_whole && spans.do_spans_advance(start % count, window)
 }
 
 /// The length of the control polygons of span k's segments, which the span does not exceed.
