@@ -151,7 +151,7 @@ mod tests {
         let ends = [0, 3, 6, 9];
         for size in [1e-300, 1e-100, 1.0, 1e37, 1e70, 1e80, 1e100, 1e150, 1e155, 1e200, 1e307] {
             let points: Vec<_> =
-                (0..10).map(|k| size * corners[k / 3].lerp(corners[(k + 2) / 3], (k % 3) as f64 / 3.0)).collect();
+                (0..10).map(|k| size * corners[k / 3].lerp(corners[k.div_ceil(3)], (k % 3) as f64 / 3.0)).collect();
             let curve = CurveView::new(&points, &ends, true).unwrap();
             let found = curve.measures(MeasureSelection::ALL, &Job::default());
             if size > 1e153 {
