@@ -17,12 +17,23 @@ proptest! {
     #[test]
     fn measures_are_those_of_single_functions(given in curves(true)) {
         let curve = given.view();
-        let all = curve.measures(MeasureSelection::ALL, &job()).unwrap();
-        prop_assert_eq!(all.length, Some(curve.length().unwrap()));
+        let (length, area_vector) = (curve.length().unwrap(), curve.area_vector(&job()).unwrap());
+        let area = Measures { area_vector: Some(area_vector), ..Measures::default() }.area();
+        let found = curve.measures(MeasureSelection::ALL, &job());
+        if !length.is_finite() || !area.is_finite() {
+            let is_named = matches!(found, Err(Error::CoordinateTooLarge { value, .. }) if value.abs() > 1e150);
+            prop_assert!(is_named, "{:?}", found);
+            return Ok(());
+        }
+        let all = found.unwrap();
+        prop_assert_eq!(all.length, Some(length));
         prop_assert_eq!(all.bounds, Some(curve.bounding_box(&job()).unwrap()));
         prop_assert_eq!(all.centre, Some(curve.centre(&job()).unwrap()));
-        prop_assert_eq!(all.area_vector, Some(curve.area_vector(&job()).unwrap()));
-        prop_assert_eq!(format!("{:?}", all.moments), format!("{:?}", Some(curve.moments(&job()).unwrap())));
+        prop_assert_eq!(all.area_vector, Some(area_vector));
+        // Moments that overflow are left out.
+        let moments = format!("{:?}", curve.moments(&job()).unwrap());
+        let expected = if moments.contains("inf") || moments.contains("NaN") { None } else { Some(moments) };
+        prop_assert_eq!(all.moments.map(|moments| format!("{moments:?}")), expected);
         // Only the requested measures.
         let length = curve.measures(MeasureSelection { length: true, ..NONE }, &job()).unwrap();
         prop_assert_eq!(length, Measures { length: all.length, ..Measures::default() });
