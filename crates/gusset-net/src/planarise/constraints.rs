@@ -1,7 +1,7 @@
 //! The constraints that make cells plane, and their linear equations. O(cells) each.
 
-use super::STAGE;
 use super::elimination_order::visit_in_elimination_order;
+use super::planarise_options::STAGE;
 use super::scaled_vertices::ScaledVertices;
 use crate::hidden_cells::HiddenCells;
 use crate::{Net, Sides};

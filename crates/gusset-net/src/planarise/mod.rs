@@ -34,6 +34,7 @@ use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 use planar_search::PlanarSearch;
 pub use planarise_options::PlanariseOptions;
+use planarise_options::STAGE;
 use scaled_vertices::ScaledVertices;
 
 /// The result of [`planarise`].
@@ -58,8 +59,6 @@ pub struct Planarised {
     /// Whether `deviation_after` is within the tolerance.
     pub converged: bool,
 }
-
-const STAGE: &str = "planarise";
 
 /// The default limit on steps.
 const DEFAULT_ITERATIONS: u32 = 100;

@@ -1,8 +1,8 @@
 //! The search for the closest net of plane cells: steps with decreasing penalties, then steps of
 //! least length that restore the constraints.
 
-use super::STAGE;
 use super::constraints::PlanarityConstraints;
+use super::planarise_options::STAGE;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

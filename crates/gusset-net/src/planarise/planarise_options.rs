@@ -1,5 +1,8 @@
 //! The options of [`planarise`](super::planarise()).
 
+/// The progress message.
+pub(super) const STAGE: &str = "planarise";
+
 /// The options of [`planarise`](super::planarise()): the movable vertices and the limits.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PlanariseOptions<'a> {

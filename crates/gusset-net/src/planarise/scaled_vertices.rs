@@ -1,7 +1,7 @@
 //! The vertices of a net, one for each class of glued nodes. O(nodes).
 
-use super::STAGE;
 use super::planarise_options::PlanariseOptions;
+use super::planarise_options::STAGE;
 use crate::complex::Complex;
 use crate::{Net, NodeClasses};
 use glam::DVec3;
