@@ -108,8 +108,8 @@ pub enum Error {
     /// A value is NaN or infinite, or a share is negative.
     #[error("{element} {index} of input {input} has the value {}; it must be {}", NumberInMessage(.value), if .value.is_finite() { "at least 0" } else { "finite" })]
     BadValue { element: Element, index: u64, input: u32, value: f64 },
-    /// The square of a coordinate would overflow.
-    #[error("{component} of {element} {index} is {}; the limit is 1e150", NumberInMessage(.value))]
+    /// The square of a coordinate would overflow, or a result that contains such squares.
+    #[error("{component} of {element} {index} is {}, so large that results overflow; scale the input down", NumberInMessage(.value))]
     CoordinateTooLarge { element: Element, index: u64, component: Component, value: f64 },
     /// A section of a frame has a different number of points than the first section.
     #[error("section {section} has {count} points, but the first section has {expected}")]

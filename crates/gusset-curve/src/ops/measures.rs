@@ -3,7 +3,7 @@
 use super::{AreaMoments, Bounds};
 use crate::curve::{CurveView, Place};
 use glam::DVec3;
-use gusset_base::error::{Element, Error, Result};
+use gusset_base::error::{Component, Element, Error, Result};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
@@ -101,9 +101,11 @@ impl CurveView<'_> {
 
     /// Returns the error that names the largest coordinate.
     fn describe_largest_coordinate(&self) -> Error {
-        let coordinates = self.points().iter().zip(0..).flat_map(|(p, index)| p.to_array().map(|x| (index, x)));
-        let largest = coordinates.fold((0, 0.0_f64), |most, one| if one.1.abs() > most.1.abs() { one } else { most });
-        Error::CoordinateTooLarge { element: Element::Point, index: largest.0, value: largest.1 }
+        let most = self.points().iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        let found =
+            (0..).zip(self.points()).find_map(|(index, &p)| Some((index, Component::find(p, |x| x.abs() == most)?)));
+        let (index, (component, value)) = found.unwrap_or((0, (Component::X, most)));
+        Error::CoordinateTooLarge { element: Element::Point, index, component, value }
     }
 
     /// Computes the mean of the curve's points by arc length, from 16 chords of each segment at
@@ -141,7 +143,7 @@ mod tests {
     use super::MeasureSelection;
     use crate::curve::CurveView;
     use glam::DVec3;
-    use gusset_base::error::{Element, Error};
+    use gusset_base::error::{Component, Element, Error};
     use gusset_base::job::Job;
 
     #[test]
@@ -155,7 +157,12 @@ mod tests {
             let curve = CurveView::new(&points, &ends, true).unwrap();
             let found = curve.measures(MeasureSelection::ALL, &Job::default());
             if size > 1e153 {
-                let expected = Error::CoordinateTooLarge { element: Element::Point, index: 3, value: 4.0 * size };
+                let expected = Error::CoordinateTooLarge {
+                    element: Element::Point,
+                    index: 3,
+                    component: Component::X,
+                    value: 4.0 * size,
+                };
                 assert_eq!(found, Err(expected), "{size:e}");
                 let length = MeasureSelection { area: false, moments: false, ..MeasureSelection::ALL };
                 let found = curve.measures(length, &Job::default()).unwrap();

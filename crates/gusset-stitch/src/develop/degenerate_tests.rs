@@ -86,7 +86,15 @@ fn surfaces_of_any_size_are_finite_or_refused() {
 fn a_large_coordinate_is_named() {
     let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, -2e150, 0.0]];
     let found = check_finite(&points, &[vec![0, 1, 2]], &Options::default(), "large");
-    assert_eq!(found, Err(Error::CoordinateTooLarge { element: Element::Vertex, index: 2, value: -2e150 }));
+    assert_eq!(
+        found,
+        Err(Error::CoordinateTooLarge {
+            element: Element::Vertex,
+            index: 2,
+            component: gusset_base::Component::Y,
+            value: -2e150
+        })
+    );
 }
 
 #[test]

@@ -15,7 +15,7 @@ use super::split_surface::SurfaceSplitAtCuts;
 use super::start_maps::{conformal_map, tutte_map};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
-use gusset_base::error::{Element, Error, Result};
+use gusset_base::error::{Component, Element, Error, Result};
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
@@ -136,8 +136,8 @@ fn choose_unit(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<f64> {
         job.step_within_list(h as usize, STAGE)?;
         let v = mesh.faces().corner(h);
         let p = mesh.positions().get(v);
-        if let Some(value) = p.to_array().into_iter().find(|x| x.abs() > MAX_COORDINATE) {
-            return Err(Error::CoordinateTooLarge { element: Element::Vertex, index: v.into(), value });
+        if let Some((component, value)) = Component::find(p, |x| x.abs() > MAX_COORDINATE) {
+            return Err(Error::CoordinateTooLarge { element: Element::Vertex, index: v.into(), component, value });
         }
         largest = largest.max(p.abs());
     }
