@@ -44,7 +44,7 @@ enum gusset_status
     GUSSET_ERROR_NULL_ARGUMENT = 1,
     /// A pointer to a struct, a handle or an output is misaligned.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
-    /// struct_size is smaller than the first version of the struct.
+    /// struct_size is not the size of the struct in any version.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
     /// A choice, a reserved field or a field unknown to this version has an unknown value.
     GUSSET_ERROR_UNKNOWN_VALUE = 4,
@@ -266,7 +266,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_con
 GUSSET_API void gusset_context_destroy(struct gusset_context *context);
 
 /// Sets the number of threads.
-/// @param threads 0: all of the machine; 1: the calling thread.
+/// @param threads 0: a thread for each processor that the calling thread may use; 1: the calling thread.
 GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
 
 /// Sets the progress callback.

@@ -416,7 +416,7 @@ typedef uint32_t gusset_curve_measure_flags;
 #define GUSSET_CURVE_MEASURE_CENTRE 4
 /// `area_vector` and `area`.
 #define GUSSET_CURVE_MEASURE_AREA 8
-/// `centroid` and `second`; only for a curve with points in the plane z = 0.
+/// `centroid` and `second`; only for a curve with points in the plane z = 0, and unless they overflow.
 #define GUSSET_CURVE_MEASURE_MOMENTS 16
 
 /// Measures of a curve. A chord closes open curves.
@@ -484,6 +484,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_places_at(const struct gus
 /// The length is accurate to 1e-13, the centre comes from 16 chords a segment. Else, and lengths up to degree 2,
 /// measures are exact up to rounding.
 /// @param flags 0: all.
+/// @errors OUT_OF_RANGE (a measure overflows: the largest coordinate)
 /// @complexity O(points) for length and bounds, else O(sum of degree^2).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_measure(const struct gusset_context *context,
     const struct gusset_curve *curve, gusset_curve_measure_flags flags, struct gusset_curve_measures *measures);

@@ -78,7 +78,7 @@ typedef struct gusset_quality_report {
     double max_aspect;
     /// Longest edge of new faces.
     double max_edge;
-    /// Area of new faces.
+    /// Area of new faces. Infinite if it overflows.
     double area;
     /// New triangles of area 0.
     uint32_t degenerate_faces;
@@ -702,6 +702,7 @@ typedef struct gusset_hole {
     /// Diagonal of the loop's axis-aligned box.
     double diameter;
     /// Area of triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole, else more.
+    /// Infinite if it overflows.
     double area;
     gusset_hole_status status;
     gusset_fill_weight weight;
@@ -1171,7 +1172,7 @@ typedef struct gusset_repair_report {
     /// Degenerate, duplicate and zero-area faces.
     uint32_t bad_faces_left;
     uint32_t reserved;
-    /// Largest distance of merged vertices; 0 without any.
+    /// Largest move of a remaining vertex onto another; 0 without any.
     double tolerance;
     /// Old face that each face is or is part of; UINT32_MAX for patches, which come last.
     struct gusset_indices face_origin;
@@ -1682,8 +1683,8 @@ typedef struct gusset_develop_options {
 /// - Polygons are measured by triangles. Triangles count as at least 1e-7 of their longest side high, and 1e-7 of the
 ///   mean edge large.
 /// - A conformal map has the area of the surface.
-/// @errors OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input is the cut, index the place
-///     in it), CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
+/// @errors OUT_OF_RANGE (max_stretch, coordinates beyond 1e150), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input
+///     is the cut, index the place in it), CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
 /// @complexity O(H log H) if charts unfold; else O(n^1.5) for n vertices of a chart, each step and each dart; memory
 ///     O(n log n).
 /// @source Rabinovich et al. 2017, for the descent; Levy et al., Least squares conformal maps, 2002; Erickson and
@@ -1739,7 +1740,7 @@ typedef struct gusset_chart {
     uint32_t folds;
     uint32_t reserved;
     /// Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular values s of the map;
-    /// 4 for an isometry, else more.
+    /// 4 for an isometry, else more; infinite if a triangle is turned over or flat, up to rounding.
     double energy;
     /// Largest factor by which a length grows.
     double max_stretch;

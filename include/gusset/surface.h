@@ -583,8 +583,9 @@ typedef struct gusset_intersection_options {
 /// Exchanging the surfaces may change rounding and contacts proved.
 /// @param other NULL: self-intersections; if `surface`, everything coincides.
 /// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
-/// @complexity Proportional to pairs of cells within the tolerance, limited for each, and to points, about 1 /
-///     sqrt(chord); parallel. Self-intersections: also to cells, and n^2/2 for n cells round a pole.
+/// @complexity Proportional to pairs of cells within the tolerance, and to points, about 1 / sqrt(chord); parallel. At
+///     most 256 boxes of parameters for each pair, and 2^22 more in all. Self-intersections: also to cells, and n^2/2
+///     for n cells round a pole.
 /// @source Leus, task e.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_intersection_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_surface *other,

@@ -533,7 +533,7 @@ class QualityReport(Record):
 
     @property
     def area(self) -> float:
-        """Area of new faces."""
+        """Area of new faces. Infinite if it overflows."""
         return self._struct.area
 
     @property
@@ -970,7 +970,7 @@ class Hole(Record):
     @property
     def area(self) -> float:
         """Area of triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole, else
-        more.
+        more. Infinite if it overflows.
         """
         return self._struct.area
 
@@ -1048,7 +1048,7 @@ class HoleArray(RecordArray[Hole]):
     @property
     def area(self) -> NDArray[np.float64]:
         """Area of triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole, else
-        more.
+        more. Infinite if it overflows.
         """
         return self.array['area']
 
@@ -1393,7 +1393,7 @@ class RepairReport(Record):
 
     @property
     def tolerance(self) -> float:
-        """Largest distance of merged vertices; 0 without any."""
+        """Largest move of a remaining vertex onto another; 0 without any."""
         return self._struct.tolerance
 
     @property
@@ -2009,7 +2009,7 @@ class Chart(Record):
     @property
     def energy(self) -> float:
         """Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular values s of the
-        map; 4 for an isometry, else more.
+        map; 4 for an isometry, else more; infinite if a triangle is turned over or flat, up to rounding.
         """
         return self._struct.energy
 
@@ -2080,7 +2080,7 @@ class ChartArray(RecordArray[Chart]):
     @property
     def energy(self) -> NDArray[np.float64]:
         """Symmetric Dirichlet energy: the area's mean of the sum of s^2 + 1 / s^2 over both singular values s of the
-        map; 4 for an isometry, else more.
+        map; 4 for an isometry, else more; infinite if a triangle is turned over or flat, up to rounding.
         """
         return self.array['energy']
 

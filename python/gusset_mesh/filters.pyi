@@ -79,7 +79,7 @@ def outline(
     Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., merge: float = ...,
     chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point."""
+    """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. By default the curve consists of quadratic sections, one for each point. The bisector, the median or the normal at the point determines the point's parameter on its section; the control point lies near this line. With the constraint Guide it lies on the line, where this is possible."""
 
 
 def net_shape(

@@ -10,7 +10,7 @@ pub(super) fn status_text(status: i32) -> &'static CStr {
         0 => c"success",
         1 => c"a pointer that must not be NULL is NULL",
         2 => c"a pointer to a struct, a handle or an output is misaligned",
-        3 => c"struct_size is smaller than the first version of the struct",
+        3 => c"struct_size is not the size of the struct in any version",
         4 => c"a choice, a reserved field or a field unknown to this version has an unknown value",
         5 => c"an option is outside its range",
         6 => c"the caller's buffer is too small; only the required size was written",

@@ -85,7 +85,7 @@ pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
         (2, c"`low` and `high`; undefined without points."),
         (4, c"`centre`; undefined without points."),
         (8, c"`area_vector` and `area`."),
-        (16, c"`centroid` and `second`; only for a curve with points in the plane z = 0."),
+        (16, c"`centroid` and `second`; only for a curve with points in the plane z = 0, and unless they overflow."),
     ]),
     ("gusset_sample_rule", &[
         (0, c"`amount` points at equal arc lengths."),
