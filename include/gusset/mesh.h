@@ -587,7 +587,7 @@ typedef struct gusset_stitch_report {
     const double *weights;
     /// First face of the strip.
     size_t strip_face_first;
-    /// N + M triangles for whole rims without rows, except in a blend.
+    /// N + M triangles for whole rims without rows and common points, except in a blend.
     size_t strip_face_count;
     /// Interior rows, two less than in the matrix; 0 for a blend.
     uint32_t row_count;
@@ -611,7 +611,9 @@ typedef struct gusset_stitch_report {
 /// Joins two boundary loops, of two meshes or of one, by a strip: a closed band between whole loops, or open between
 /// facing arcs.
 /// The result has the vertices of A, B, then new ones, in A's scalar type; the faces of A, B, then the strip. An arc of
-/// one vertex gets a fan, which touches its piece there only; two get one meridian and no face.
+/// one vertex gets a fan, which touches its piece there only; two get one meridian and no face. If vertices of both rims
+/// coincide up to rounding, the vertex of rim 0 replaces the other, and strips without rows join the rims between these
+/// points.
 /// @param loop_a vertices in order, in either direction, cyclically joined by boundary edges. If both loops are NULL,
 ///     the two nearest are joined; if one, the nearest to the other. Candidates are closed, manifold, consistently
 ///     oriented, of at least 3 vertices; two of one mesh share no vertex.

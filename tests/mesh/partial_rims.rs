@@ -4,7 +4,7 @@ use crate::common::{Soup, edge_counts, euler, faces_of, some_of};
 use gusset::Job;
 use gusset::assemble::{self, Assembly, Outcome, assemble};
 use gusset::mesh::{Mesh, MeshView};
-use gusset::stitch::Finish;
+use gusset::stitch::{self, Finish, Meridians, Request, Rows, Stitch, stitch};
 use std::f64::consts::TAU;
 
 /// A tube whose rim has the given angles, radii and heights, from there to the height `end`, where it is closed unless `open`.
@@ -170,4 +170,80 @@ fn rims_that_coincide_in_part_are_joined() {
         }
     }
     assert_eq!(bad, 0);
+}
+
+const RULES: [Meridians; 8] = [
+    Meridians::Continuation,
+    Meridians::MinArea,
+    Meridians::Index,
+    Meridians::ArcLength,
+    Meridians::Greedy,
+    Meridians::MinDiagonal,
+    Meridians::Smooth,
+    Meridians::Quad,
+];
+
+/// The faults of a stitch of two cups, whose rims come first.
+fn faults_of_stitch(done: &Stitch, case: &Case, pieces: &[Soup; 2]) -> Vec<String> {
+    let counts = edge_counts(faces_of(&done.mesh));
+    let open = counts.values().filter(|&&counts| counts != (1, 1)).count();
+    let ends: usize = if case.open { pieces.iter().map(|cup| cup.points.len() / 4).sum() } else { 0 };
+    let chi = if case.open { 0 } else { 2 };
+    let common = |k: usize| {
+        let other = &pieces[1 - k].points;
+        pieces[k].points.iter().filter(|p| other.iter().any(|q| (0..3).all(|c| (p[c] - q[c]).abs() < 1e-12))).count()
+    };
+    let vertices = pieces.iter().map(|cup| cup.points.len()).sum::<usize>() - common(0);
+    let moved = (0..2).any(|k| {
+        let at = |v: u32| done.mesh.positions.get(v).to_array();
+        let maps = pieces[k].points.iter().zip(&done.maps[k].vertices);
+        maps.into_iter().any(|(p, &v)| (0..3).any(|c| (at(v)[c] - p[c]).abs() > 1e-12))
+    });
+    let steps = done.meridians.windows(2).all(|pair| {
+        let by = [0, 1].map(|k| pair[1][k].wrapping_sub(pair[0][k]));
+        by.iter().all(|&by| by < 2) && by != [0, 0]
+    });
+    let last = done.rims.each_ref().map(|rim| rim.len() as u32);
+    let is_path = steps && done.meridians.first() == Some(&[0, 0]) && done.meridians.last() == Some(&last);
+    let corners = |mesh: &Mesh, from: usize| -> Vec<glam::DVec3> {
+        mesh.face_corners[mesh.face_offsets[from] as usize..].iter().map(|&v| mesh.positions.get(v)).collect()
+    };
+    let same_strip = corners(&done.strip, 0) == corners(&done.mesh, done.strip_faces.start as usize);
+    let flat = flat_faces(&done.mesh);
+    let checks = [
+        (open != ends, format!("{open} edges are not shared by two faces")),
+        (euler(faces_of(&done.mesh)) != chi, format!("Euler {}", euler(faces_of(&done.mesh)))),
+        (done.mesh.positions.len() - done.parents.len() != vertices, format!("not {vertices} old vertices")),
+        (flat > 0, format!("{flat} faces without area")),
+        (moved, "a map names another place".into()),
+        (!is_path, format!("meridians {:?}", done.meridians)),
+        (!same_strip, "the strip differs from the faces of the mesh".into()),
+    ];
+    checks.into_iter().filter(|(wrong, _)| *wrong).map(|(_, text)| text).collect()
+}
+
+#[test]
+fn rims_that_coincide_in_part_are_stitched_without_flat_faces() {
+    for seed in some_of(3, 0..600) {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let case = random_case(&mut random);
+        let pieces = cups(&case);
+        let mut options = stitch::Options { meridians: RULES[random.usize(0..8)], ..Default::default() };
+        options.rows = if random.u32(0..4) == 0 { Rows::Count(2) } else { Rows::None };
+        options.finish = if random.u32(0..4) == 0 { Finish::Blend } else { Finish::Strip };
+        let loops = pieces.each_ref().map(|cup| {
+            let rim = if case.open { cup.points.len() / 4 } else { (cup.points.len() - 1) / 4 } as u32;
+            let mut rim: Vec<u32> = (0..rim).collect();
+            rim.rotate_left(random.usize(0..rim.len()));
+            if random.bool() {
+                rim.reverse();
+            }
+            rim
+        });
+        let views = pieces.each_ref().map(Soup::view);
+        let request = Request { a: &views[0], loop_a: Some(&loops[0]), b: Some(&views[1]), loop_b: Some(&loops[1]) };
+        let done = stitch(&request, &options, &Job::default()).unwrap();
+        let faults = faults_of_stitch(&done, &case, &pieces);
+        assert!(faults.is_empty(), "{seed} {case:?} {:?}: {faults:?}", options.meridians);
+    }
 }

@@ -36,8 +36,10 @@ impl Origins {
         let mut turned = face_bit_set(mesh, &stitch.turned_outwards)?;
         stitch.turned_faces.iter().for_each(|&f| turned.toggle(f));
         let is_turned = |f: usize| turned.contains(f as u32);
-        let old = inputs.iter().map(|counts| counts.vertices).sum();
-        let kept = collect_kept_elements(mesh, inputs, old, first_face, is_turned, &job.sub_job(0.0, 0.3))?;
+        let old = mesh.positions.len() - stitch.parents.len();
+        let part = job.sub_job(0.0, 0.3);
+        let vertices = |job: &Job<'_>| vertices_of_stitch(stitch, old, job);
+        let kept = collect_kept_elements(mesh, inputs, vertices, first_face, is_turned, &part)?;
         let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
         Origins::new(mesh, kept, parents, &job.sub_job(0.3, 0.9))?.with_turned_faces(
             mesh,
@@ -58,7 +60,8 @@ impl Origins {
         let turned = face_bit_set(mesh, &filled.turned_outwards)?;
         let is_turned = |f: usize| turned.contains(f as u32);
         let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
-        let kept = collect_kept_elements(mesh, vec![counts], old, old_faces, is_turned, &job.sub_job(0.0, 0.3))?;
+        let vertices = |job: &Job<'_>| SourceTable::from_single_sources(0..old as u32, job);
+        let kept = collect_kept_elements(mesh, vec![counts], vertices, old_faces, is_turned, &job.sub_job(0.0, 0.3))?;
         let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
         Origins::new(mesh, kept, parents, &job.sub_job(0.3, 0.9))?.with_turned_faces(
             mesh,
@@ -75,6 +78,7 @@ impl Origins {
         let (mesh, is_turned) = (&oriented.mesh, |f: usize| oriented.turned[f]);
         let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
         let counts = Counts { vertices, corners, faces };
+        let vertices = |job: &Job<'_>| SourceTable::from_single_sources(0..counts.vertices as u32, job);
         let kept = collect_kept_elements(mesh, vec![counts], vertices, faces, is_turned, &job.sub_job(0.0, 0.7))?;
         Origins::from_kept(kept)?.with_turned_faces(mesh, is_turned, &job.sub_job(0.7, 1.0))
     }
@@ -172,11 +176,23 @@ fn face_bit_set(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
     Ok(set)
 }
 
-/// The old elements of a result that begins with the vertices and faces of its inputs, in order.
+/// The sources of the `old` vertices of a stitched mesh. A vertex that stitching merged has two.
+fn vertices_of_stitch(stitch: &Stitch, old: usize, job: &Job<'_>) -> Result<SourceTable> {
+    let [a, b] = stitch.maps.each_ref().map(|map| map.vertices.as_slice());
+    if a.len() + b.len() == old {
+        return SourceTable::from_single_sources(0..old as u32, job);
+    }
+    let mut map = alloc::copied(a)?;
+    alloc::append(&mut map, b)?;
+    SourceTable::from_map(old, map.into_iter(), job)
+}
+
+/// The old elements of a result that begins with the faces of its inputs, in order. `vertices`
+/// returns the sources of its old vertices.
 fn collect_kept_elements(
     mesh: &Mesh,
     inputs: Vec<Counts>,
-    vertices: usize,
+    vertices: impl FnOnce(&Job<'_>) -> Result<SourceTable>,
     faces: usize,
     is_turned: impl Fn(usize) -> bool,
     job: &Job<'_>,
@@ -188,7 +204,7 @@ fn collect_kept_elements(
     }
     Ok(KeptElements {
         inputs,
-        vertices: SourceTable::from_single_sources(0..vertices as u32, &job.sub_job(0.2, 0.4))?,
+        vertices: vertices(&job.sub_job(0.2, 0.4))?,
         corners: SourceTable::from_single_sources(corners.into_iter(), &job.sub_job(0.4, 0.8))?,
         faces: SourceTable::from_single_sources(0..faces as u32, &job.sub_job(0.8, 1.0))?,
     })

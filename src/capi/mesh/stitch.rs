@@ -44,7 +44,7 @@ pub struct gusset_stitch_report {
     pub weights: *const f64,
     /// First face of the strip.
     pub strip_face_first: usize,
-    /// N + M triangles for whole rims without rows, except in a blend.
+    /// N + M triangles for whole rims without rows and common points, except in a blend.
     pub strip_face_count: usize,
     /// Interior rows, two less than in the matrix; 0 for a blend.
     pub row_count: u32,
@@ -77,7 +77,8 @@ versioned! { gusset_stitch_report: 192 }
 ///
 /// The result has the vertices of A, B, then new ones, in A's scalar type; the faces of A, B, then
 /// the strip. An arc of one vertex gets a fan, which touches its piece there only; two get one
-/// meridian and no face.
+/// meridian and no face. If vertices of both rims coincide up to rounding, the vertex of rim 0
+/// replaces the other, and strips without rows join the rims between these points.
 ///
 /// @param loop_a vertices in order, in either direction, cyclically joined by boundary edges. If
 ///     both loops are NULL, the two nearest are joined; if one, the nearest to the other.

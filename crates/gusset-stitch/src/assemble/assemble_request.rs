@@ -23,8 +23,8 @@ pub enum MaxGap {
     /// * Slits that sewing left between two borders: one mean edge, and half the loop's radius
     ///   unless the slit is narrow.
     /// * Gaps between borders that share vertices: the longest edge of both sides.
-    /// * Whole loops that coincide in part: as whole loops, before they are sewn. The rest is closed
-    ///   at any gap, with [`Extent::LoopsAndParts`].
+    /// * Whole loops that coincide in part: twice the limit of whole loops, before they are sewn. The
+    ///   rest is closed at any gap, with [`Extent::LoopsAndParts`].
     /// * Trimmed pieces: two and a half mean edges of the coarsest piece, or four if a part would
     ///   stay unjoined.
     #[default]

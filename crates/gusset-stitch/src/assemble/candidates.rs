@@ -79,6 +79,8 @@ pub(super) struct FacingSearch<'a> {
     pub(super) extent: Extent,
     /// The limit in the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
     pub(super) max_gap: Option<f64>,
+    /// The factor of the default limit of whole loops.
+    pub(super) whole_loop_gap_factor: f64,
 }
 
 /// The vertices of all loops, one loop after another.

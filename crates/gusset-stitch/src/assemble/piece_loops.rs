@@ -138,6 +138,7 @@ impl PieceLoops {
             within_components: options.within_components,
             extent: options.extent,
             max_gap,
+            whole_loop_gap_factor: 1.0,
         }
     }
 

@@ -16,6 +16,10 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::{MeshView, NONE, concatenate};
 
+/// Rims that coincide in part may be this many times as far apart as other whole loops: the common
+/// points show that they belong together.
+const MAX_GAP_TO_DEFAULT_GAP_RATIO: f64 = 2.0;
+
 /// The loops of the pieces before sewing, and the pairs that face each other.
 pub(super) struct UnsewnLoopPairs {
     /// Pairs of a vertex of the sewn mesh and a loop through it before sewing, ascending.
@@ -56,7 +60,9 @@ impl UnsewnLoopPairs {
         let excluded = loops.list_excluded_pairs(&maps, options)?;
         let used = alloc::filled(false, loops.rims.len())?;
         let whole = Options { extent: Extent::WholeLoops, ..*options };
-        let found = loops.facing_search(&whole, &used, &excluded).find_facing_loops(&job.sub_job(0.7, 1.0))?;
+        let mut search = loops.facing_search(&whole, &used, &excluded);
+        search.whole_loop_gap_factor = MAX_GAP_TO_DEFAULT_GAP_RATIO;
+        let found = search.find_facing_loops(&job.sub_job(0.7, 1.0))?;
         let mut pairs = alloc::collect(found.iter().map(|facing| {
             let [r, k] = facing.rims.map(|r| r as u32);
             [r.min(k), r.max(k)]

@@ -111,7 +111,8 @@ impl FacingSearch<'_> {
     pub(super) fn max_gap_between_whole_loops(&self, first: usize, second: usize) -> f64 {
         let [a, b] = [first, second].map(|k| &self.candidates[k]);
         self.max_gap.unwrap_or_else(|| {
-            a.mean_radius.min(b.mean_radius).max(DEFAULT_GAP_TO_SIZE_RATIO * a.component_size.max(b.component_size))
+            let size = a.component_size.max(b.component_size);
+            self.whole_loop_gap_factor * a.mean_radius.min(b.mean_radius).max(DEFAULT_GAP_TO_SIZE_RATIO * size)
         })
     }
 

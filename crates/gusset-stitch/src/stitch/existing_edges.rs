@@ -8,17 +8,26 @@ use gusset_mesh::MeshView;
 
 /// The existing edges between two rims of one mesh. A meridian must not repeat one of them, because
 /// the edge would get four faces.
-pub struct ExistingEdges(Vec<(u32, u32)>);
+pub struct ExistingEdges {
+    edges: Vec<(u32, u32)>,
+    /// True for the first and the last vertex of rim A if it has no fan: only one meridian meets it.
+    ends_without_fan: [bool; 2],
+}
 
 impl ExistingEdges {
     /// Returns the empty set, for rims on different meshes.
     pub(super) fn empty() -> Self {
-        ExistingEdges(Vec::new())
+        ExistingEdges::from_edges(Vec::new())
     }
 
     /// Creates the set from edges that lead from rim A to rim B, in ascending order.
     pub(crate) fn from_edges(edges: Vec<(u32, u32)>) -> Self {
-        ExistingEdges(edges)
+        ExistingEdges { edges, ends_without_fan: [false; 2] }
+    }
+
+    /// Excludes fans at the ends of rim A: only one meridian meets the first vertex, or the last.
+    pub(super) fn without_fans(self, ends: [bool; 2]) -> Self {
+        ExistingEdges { ends_without_fan: ends, ..self }
     }
 
     /// Finds the edges of `mesh` from a vertex of `a` to a vertex of `b`, in one pass over the
@@ -39,12 +48,12 @@ impl ExistingEdges {
             }
         }
         sort_distinct(&mut edges);
-        Ok(ExistingEdges(edges))
+        Ok(ExistingEdges::from_edges(edges))
     }
 
     /// Returns true if the mesh has an edge between vertex `u` of rim A and vertex `v` of rim B.
     pub(super) fn contains(&self, u: u32, v: u32) -> bool {
-        !self.0.is_empty() && self.0.binary_search(&(u, v)).is_ok()
+        !self.edges.is_empty() && self.edges.binary_search(&(u, v)).is_ok()
     }
 
     /// Returns the places (i, j) of the edges' ends on rims `a` and `b`.
@@ -61,13 +70,20 @@ impl ExistingEdges {
         let find = |places: &[(u32, u32)], v: u32| {
             places.binary_search_by_key(&v, |&(vertex, _)| vertex).ok().map(|at| places[at].1)
         };
-        let mut nodes = alloc::with_capacity(self.0.len())?;
-        nodes.extend(self.0.iter().filter_map(|&(u, v)| Some([find(&on_a, u)?, find(&on_b, v)?])));
+        let mut nodes = alloc::with_capacity(self.edges.len() + 2 * b.vertices.len())?;
+        nodes.extend(self.edges.iter().filter_map(|&(u, v)| Some([find(&on_a, u)?, find(&on_b, v)?])));
+        let (last_a, last_b) = (a.vertices.len() as u32 - 1, b.vertices.len() as u32 - 1);
+        if self.ends_without_fan[0] {
+            nodes.extend((1..last_b + 1).map(|j| [0, j]));
+        }
+        if self.ends_without_fan[1] {
+            nodes.extend((0..last_b).map(|j| [last_a, j]));
+        }
         Ok(nodes)
     }
 
-    /// Returns true if no edge joins the rims.
+    /// Returns true if all meridians are possible.
     pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.edges.is_empty() && self.ends_without_fan == [false; 2]
     }
 }

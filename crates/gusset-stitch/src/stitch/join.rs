@@ -1,16 +1,17 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
-use super::combine::{append_piece, append_strip, strip_as_mesh};
+use super::attach_strip::{AttachedStrips, attach_strip};
+use super::combine::append_piece;
+use super::common_points::{common_point_tolerance, find_common_points, keep_mergeable_points, merge_common_points};
 use super::existing_edges::ExistingEdges;
 use super::extent::{Extent, select_arcs};
 use super::facing::{self, check_tolerance};
-use super::fair_and_check::fair_and_check;
 use super::loop_pairing::{remove_nearest_pair, usable_rims};
 use super::quality::Quality;
+use super::section_strips::attach_section_strips;
 use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::stitch_request::{IndexMap, Options, Orientation, Request, Stitch};
 use super::stitch_rim::{FreeEdges, Rim, shared_vertex};
-use super::strip::Strip;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::repair::orient::{Outward, turn_outwards};
 use gusset_base::alloc;
@@ -28,8 +29,9 @@ use gusset_mesh::{MeshView, concat, vertex_components};
 /// An arc with one vertex gets a fan of triangles, which touches its piece only at that vertex. Two
 /// arcs with one vertex each get one meridian and no face.
 ///
-/// Rims with points in common get faces of no area there, and a note reports it.
-/// [`assemble`](crate::assemble::assemble()) merges such points instead.
+/// Rims may have points in common, up to the rounding of the positions. Their vertices are merged, and
+/// strips without rows join the rims between them; a note reports it. Other rims get faces without
+/// area where a vertex lies inside an edge. [`assemble`](crate::assemble::assemble()) splits such edges.
 ///
 /// O(H log d) for the meshes' H half-edges and at most d edges at a vertex. Exact meridians take
 /// O(N M) up to 2^21 pairs of vertices; larger lattices and the simple choices take O((N + M) log
@@ -52,6 +54,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     }
     let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.sub_job(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.sub_job(0.35, 0.4))?;
+    let tolerance = common_point_tolerance(request, &a, &b, &job.sub_job(0.4, 0.4))?;
     let existing = match request.b {
         Some(_) => ExistingEdges::empty(),
         None => {
@@ -79,7 +82,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let mesh_b = request.b.unwrap_or(request.a);
     let mut turned_faces = if turn { faces_of_component(mesh_b, b.vertices[0])? } else { Vec::new() };
     let is_turned = |f: usize| turned_faces.binary_search(&(f as u32)).is_ok();
-    let maps = match request.b {
+    let mut maps = match request.b {
         Some(second) => {
             let first = append_piece(&mut whole, request.a, &job.sub_job(0.4, 0.4), |_| false)?;
             [first, append_piece(&mut whole, second, &job.sub_job(0.4, 0.4), is_turned)?]
@@ -97,28 +100,29 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         b.adapt_to_turned_surface();
     }
     b.reverse();
-    let mean_side = || whole.mean_side_length() / unit;
-    let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.sub_job(0.4, 0.6))?;
-    if strip.meridians.iter().any(|&[i, j]| strip.a.point(i) == strip.b.point(j)) {
-        job.note("the rims have points in common, where faces of the strip have no area: join the pieces to merge these points");
+    let part = job.sub_job(0.4, 0.75);
+    // A twist joins other points than the common ones.
+    let mut common = match options.twist {
+        0 => find_common_points(&a, &b, tolerance / unit, &part.sub_job(0.0, 0.0))?,
+        _ => Vec::new(),
+    };
+    if !common.is_empty() {
+        keep_mergeable_points(&whole, &a, &b, &mut common, &part.sub_job(0.0, 0.1))?;
     }
-    let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.sub_job(0.6, 0.75))?;
-    job.step(0.75, "putting the pieces together")?;
-    let attached = append_strip(&mut whole, &strip, unit)?;
-
-    let name = |v: u32| attached.mesh_vertex_of_strip_vertex[v as usize];
-    let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
-    let parents = alloc::collect(strip.parents.iter().map(|parents| parents.vertices.map(name)))?;
-    let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
-    let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
-    let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let mut strip = strip_as_mesh(&whole, strip, &attached.mesh_vertex_of_strip_vertex)?;
+    let AttachedStrips { mut strip, faces, rims, closed, meridians, matrix, parents, weights, checked } =
+        if common.is_empty() {
+            attach_strip(&mut whole, [a, b], unit, &existing, options, &part)?
+        } else {
+            let of_maps = maps.iter_mut().map(|map| &mut map.vertices);
+            merge_common_points(&mut whole, [&mut a, &mut b], &common, of_maps)?;
+            attach_section_strips(&mut whole, [a, b], common, unit, options, &part.sub_job(0.1, 1.0))?
+        };
     let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
     let quality = Quality::measure(&whole, &strip, &job.sub_job(0.75, measured))?;
     let mut turned_outwards = Vec::new();
     if options.outward == Outward::Closed {
         turned_outwards = turn_outwards(&mut whole, &job.sub_job(measured, 1.0))?.turned;
-        let of_strip = turned_outwards.iter().filter_map(|f| f.checked_sub(attached.faces.start));
+        let of_strip = turned_outwards.iter().filter_map(|f| f.checked_sub(faces.start));
         of_strip.for_each(|f| strip.turn_face(f as usize));
     }
     Ok(Stitch {
@@ -132,7 +136,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         strip,
         maps,
         intersections: checked.intersections,
-        strip_faces: attached.faces,
+        strip_faces: faces,
         meridians,
         finish: checked.finish,
         back_offs: checked.back_offs,

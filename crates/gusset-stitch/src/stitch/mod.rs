@@ -23,6 +23,9 @@
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
 //! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip |
 //! | [`avoid_intersections`](self) | another strip if one intersects |
+//! | [`attach_strip`](self) | the strip in the combined mesh |
+//! | [`common_points`](self) | vertices that both rims have in common |
+//! | [`section_strips`](self) | strips between common points |
 //! | [`strip_blend`](self) | finer triangles on a smooth surface in place of the strip |
 //! | [`guide_curves`](self) | the surface that a blend follows across a wide gap |
 //! | [`strip_neighbourhood`](self) | the faces around a strip |
@@ -31,9 +34,11 @@
 //! | [`quality`](self) | quality measures of the result |
 //! | [`join`](self) | all stages in order |
 
+mod attach_strip;
 mod avoid_intersections;
 mod strip_blend;
 pub mod combine;
+mod common_points;
 pub mod existing_edges;
 mod extent;
 pub mod facing;
@@ -48,6 +53,7 @@ mod strip_neighbourhood;
 pub mod polyline;
 mod quality;
 mod ruled;
+mod section_strips;
 pub mod sense;
 mod stitch_request;
 pub mod stitch_rim;

@@ -221,10 +221,11 @@ pub struct IndexMap {
 pub struct Stitch {
     /// Both pieces and the strip. The order of the vertices is A's, B's, then the new ones; the
     /// order of the faces is A's, B's, then the strip's. Positions have the scalar type of A, and
-    /// old ones keep their bits.
+    /// old ones keep their bits. At a common point of both rims, the vertex of rim A replaces the
+    /// vertex of rim B.
     pub mesh: Mesh,
     /// The strip alone: the N vertices of rim A in order, then the M of rim B, then the new
-    /// vertices, and the strip's faces.
+    /// vertices, and the strip's faces. Faces name a common point by its place on rim A.
     pub strip: Mesh,
     /// Maps from old to new indices for each piece; the second is empty if there is only one piece.
     pub maps: [IndexMap; 2],
