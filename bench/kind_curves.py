@@ -121,6 +121,40 @@ def equal_sections(random):
     return Case(run, lambda off: off < 0.01, raw=True)
 
 
+def mixed_sections(random):
+    """Sections of which some have corners: these are polygons at both ends of the loft, and the others are round."""
+    place, count = Place(random), int(random.integers(2, 5))
+    kinds = [("round", "polygon")[k] for k in random.integers(0, 2, count)]
+    kinds[0], kinds[-1] = (("round", "polygon"), ("polygon", "round"), ("polygon", "polygon"))[random.integers(3)]
+    radii, sides, turns = 0.5 + 2 * random.random(count), random.integers(3, 7, count), 2 * np.pi * random.random(count)
+    sections = []
+    for z, (kind, radius, n, turn) in enumerate(zip(kinds, radii, sides, turns)):
+        flat = circle(int(n) if kind == "polygon" else int(random.integers(24, 80)), radius, z)
+        rotation = np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]])
+        sections.append(flat @ rotation.T)
+
+    def run():
+        mesh, text = filters.loft(gm.Curves([place.points(section) for section in sections], closed=True))
+        points, worst = local(mesh, place), 0.0
+        for z in (0, count - 1):
+            ring = points[abs(points[:, 2] - z) < 1e-6, :2]
+            if kinds[z] == "round":
+                worst = max(worst, np.abs(np.hypot(*ring.T) / radii[z] - 1).max() / 0.01)
+            else:
+                apart = np.linalg.norm(sections[z][:, None, :2] - ring, axis=2).min(axis=1).max()
+                worst = max(worst, apart / 1e-9, distance_from_sides(ring, sections[z][:, :2]) / 1e-9)
+        return worst, text
+    return Case(run, lambda worst: worst < 1, raw=True)
+
+
+def distance_from_sides(points, polygon):
+    """The largest distance of a point from the sides of a polygon."""
+    start, side = polygon, np.roll(polygon, -1, axis=0) - polygon
+    offset = points[:, None] - start
+    t = np.clip((offset * side).sum(axis=2) / (side * side).sum(axis=1), 0, 1)
+    return float(np.linalg.norm(offset - t[..., None] * side, axis=2).min(axis=1).max())
+
+
 def tips(random):
     """A section of one point closes the loft: one border is left, of a disc; with two tips none, of a sphere."""
     segments, place, both = int(random.integers(8, 40)), Place(random), random.random() < 0.5
@@ -259,4 +293,4 @@ def nested_polygons(random):
     return Case(lambda: filters.strip(curves), lambda look: look.flat == 0 and close(look.area / place.size**2, area))
 
 
-CURVES = (concave_polygons, keyholes, prisms, rectangles, equal_sections, tips, networks, crowded_points, tight_points, almost_repeated, stars, nested_polygons)
+CURVES = (concave_polygons, keyholes, prisms, rectangles, equal_sections, mixed_sections, tips, networks, crowded_points, tight_points, almost_repeated, stars, nested_polygons)

@@ -83,4 +83,37 @@ def two_meshes_in_one(random):
     return Case(lambda: filters.join(given), right)
 
 
-JOINTS = elbows, islands, partial_rims, partial_coincidence, two_meshes_in_one
+def smooth_finish(random):
+    """A sphere that lacks a band or a cap: one word gives a smooth surface, from stitching, joining and filling alike.
+
+    The new surface is at most half as far from the sphere as a plain one, whose distance is the height of the arc over the gap."""
+    job, place = ("stitch", "join", "fill", "join_fill")[random.integers(4)], Place(random)
+    segments, half = int(random.integers(24, 60)), random.uniform(0.12, 0.45)
+    capped = job in ("fill", "join_fill")
+
+    def cap(end, sign):
+        rings = max(3, int(end * segments / (2 * np.pi)))
+        polar, around = np.meshgrid(np.linspace(end, 0, rings + 1)[:-1], 2 * np.pi * (random.random() + np.arange(segments) / segments), indexing="ij")
+        points = np.stack([np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), sign * np.cos(polar)], axis=-1).reshape(-1, 3)
+        quads = np.array([[r * segments + k, r * segments + (k + 1) % segments, (r + 1) * segments + (k + 1) % segments, (r + 1) * segments + k]
+                          for r in range(rings - 1) for k in range(segments)])
+        last = (rings - 1) * segments
+        tip = np.array([[last + k, last + (k + 1) % segments, rings * segments] for k in range(segments)])
+        faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]], tip])
+        return np.vstack([points, [0, 0, sign]]), faces if sign > 0 else faces[:, ::-1]
+    if capped:
+        given = [place(cap(np.pi - half, 1.0))]
+        run = {"fill": filters.fill, "join_fill": lambda mesh, finish: filters.join(mesh, finish=finish, holes="fill")}[job]
+    else:
+        given = [place(cap(np.pi / 2 - half, sign)) for sign in (1.0, -1.0)]
+        run = filters.stitch if job == "stitch" else filters.join
+    rise = 1 - np.cos(half)
+
+    def right(look):
+        points = (look.mesh[0] - place.origin) @ place.turn / place.size
+        off = np.abs(np.linalg.norm(points, axis=1) - 1)
+        return look.closed and look.euler == 2 and look.flat == 0 and off.max() < 0.5 * rise
+    return Case(lambda: run(*given, finish="blend"), right)
+
+
+JOINTS = smooth_finish, elbows, islands, partial_rims, partial_coincidence, two_meshes_in_one

@@ -17,6 +17,7 @@ from kind_curves import CURVES
 from kind_judge import Look
 from kind_joints import JOINTS
 from kind_meshes import MESHES, united
+from kind_nets import NETS
 
 CASES, LEAST_SHARE = 200, 0.98
 #: Words in a report about a result that differs from the request.
@@ -64,7 +65,7 @@ def main():
     if program() is None:
         print("CGAL or a compiler is not installed: intersections are not judged", file=sys.stderr)
     print(f"{'kind':<18} {'right':>6} {'said':>6} {'silent':>6}")
-    for kind in (*MESHES, *JOINTS, *CURVES):
+    for kind in (*MESHES, *JOINTS, *CURVES, *NETS):
         if not any(word in kind.__name__ for word in options.only.split(",")):
             continue
         found = [outcome(kind, number, options.seed) for number in range(options.cases)]

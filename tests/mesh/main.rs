@@ -23,6 +23,7 @@ mod develop_steps;
 mod elbows;
 mod errata;
 mod facing;
+mod facing_sheets;
 mod fill;
 mod islands;
 mod join_report;

@@ -95,6 +95,14 @@ pub(super) fn cases() -> Vec<Case> {
         soup
     };
     let apart = |y: f64| moved(sheet(5, 2), [0.1, y, 0.2]);
+    // A cap below, whose rim is the rim of the cap above for one half, and lower for the other.
+    let rim_in_place = {
+        let mut soup = cap(24, 5, 0.0, -1.0);
+        for (k, p) in cap(24, 5, 0.0, 1.0).points[97..].iter().rev().enumerate() {
+            soup.points[97 + k] = [p[0], p[1], if k < 12 { p[2] } else { p[2] - 0.2 }];
+        }
+        soup
+    };
     let refined = fill::Options { refinement: fill::Refinement::RimDensity(10_000), ..fill::Options::default() };
     let all = weld::Options { vertices: weld::Vertices::All, tolerance: Some(1e-6), ..weld::Options::default() };
     let collapsing = weld::Options { collapse: true, remove_unused: true, ..all };
@@ -128,6 +136,7 @@ pub(super) fn cases() -> Vec<Case> {
         stitched("quads", &top, Some(&bottom), &quads),
         stitched("turned", &top, Some(&bottom.turned()), &rows),
         stitched("plain", &top, Some(&bottom), &Options::default()),
+        stitched("rims in one place", &cap(24, 5, 0.0, 1.0), Some(&rim_in_place), &Options::default()),
         stitched("arcs", &sheet(4, 2), Some(&apart(2.7)), &arcs),
         stitched("one mesh", &top.and(&bottom.turned()), None, &rows),
         filled("plain patch", &top, &fill::Options::default()),

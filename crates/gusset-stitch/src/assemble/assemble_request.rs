@@ -155,7 +155,8 @@ pub struct Joint {
     /// True if both are whole loops.
     pub whole: bool,
     /// The mean distance from the vertices of one side to the nearest vertex of the other, the
-    /// larger of both means. For a slit, the distance to the nearest points of the other side.
+    /// larger of both means. For a slit, or for runs of loops, the distance to the nearest points of
+    /// the other side.
     pub gap: f64,
     /// The outcome.
     pub outcome: Outcome,

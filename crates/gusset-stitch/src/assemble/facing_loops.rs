@@ -1,8 +1,9 @@
 //! Search for loops that face each other across a gap.
 //!
 //! Whole loops that face each other are joined first (`whole_loops`). On the other loops, arcs are
-//! runs of neighbouring vertices whose nearest vertices lie on one loop, and conversely. They occur
-//! at the border of two scans that overlap others elsewhere. The only two loops, of two pieces, are
+//! runs of neighbouring vertices whose nearest vertices lie on one loop, and conversely. Their
+//! distances are measured to the edges at these vertices, so that the spacing of the vertices does
+//! not count. Arcs occur at the border of two scans that overlap others elsewhere. The only two loops, of two pieces, are
 //! joined at any distance, like in [`stitch()`](crate::stitch::stitch()), unless they lie beside
 //! each other: a strip would then close a pocket between two sheets.
 //!
@@ -13,6 +14,7 @@ use super::candidates::{FacingLoops, FacingSearch, LoopVertices, LoopVisitCounte
 use super::whole_loops::{NearestLoopShare, add_nearest_loop_shares, rim_conormals};
 use crate::stitch::facing::{Arc, cyclic_runs};
 use crate::stitch::loop_pairing::mean_gap;
+use crate::stitch::polyline::nearest_point_on_adjacent_edges;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -32,6 +34,9 @@ const MIN_ARC_VERTEX_SHARE: f64 = 1.0 / 64.0;
 /// Smallest sum of the looks of two arcs at each other. It excludes tubes side by side.
 const MIN_FACING_COSINE_SUM_OF_ARCS: f64 = 0.3;
 
+/// Distances are equal up to rounding if their ratio is at most this.
+const MAX_EQUAL_DISTANCE_RATIO: f64 = 1.0 + 1e-9;
+
 /// Number of vertices between two progress reports.
 const VERTICES_PER_REPORT: usize = 1 << 12;
 
@@ -40,6 +45,9 @@ struct NearestLoopVertex {
     /// The loop, or [`NONE`].
     rim: u32,
     index_on_rim: u32,
+    /// The vector to the nearest point on the edges at that vertex, and its length. The distance to
+    /// the vertex itself would grow with the spacing of the vertices.
+    way: DVec3,
     distance: f64,
 }
 
@@ -113,11 +121,15 @@ impl FacingSearch<'_> {
                 let nearest =
                     if self.is_joined_loop[r] { None } else { tree.nearest_in_other_groups(p, limit, own, accept) };
                 of_rim.push(match nearest {
-                    Some((squared, v)) => {
+                    Some((_, v)) => {
                         let k = owners[v as usize];
-                        NearestLoopVertex { rim: k, index_on_rim: v - firsts[k as usize], distance: squared.sqrt() }
+                        let (index_on_rim, line) = (v - firsts[k as usize], &self.rims[k as usize].points);
+                        let way = nearest_point_on_adjacent_edges(line, true, index_on_rim as usize, p) - p;
+                        NearestLoopVertex { rim: k, index_on_rim, way, distance: way.length() }
                     }
-                    None => NearestLoopVertex { rim: NONE, index_on_rim: NONE, distance: f64::INFINITY },
+                    None => {
+                        NearestLoopVertex { rim: NONE, index_on_rim: NONE, way: DVec3::ZERO, distance: f64::INFINITY }
+                    }
                 });
             }
             nearest_vertices.push(of_rim);
@@ -180,10 +192,10 @@ impl FacingSearch<'_> {
         };
         let partners = alloc::try_collect(arcs.iter().map(partner))?;
         let conormals = alloc::try_collect(self.rims.iter().map(rim_conormals))?;
-        let look = |&(r, k, arc): &(usize, usize, Arc)| {
+        let look = |&(r, _, arc): &(usize, usize, Arc)| {
             let cosine = |i: usize| {
-                let way = self.rims[k].points[nearest_vertices[r][i].index_on_rim as usize] - self.rims[r].points[i];
-                if way == DVec3::ZERO { 1.0 } else { way.dot(conormals[r][i]) / way.length() }
+                let NearestLoopVertex { way, distance, .. } = nearest_vertices[r][i];
+                if distance == 0.0 { 1.0 } else { way.dot(conormals[r][i]) / distance }
             };
             arc.places(nearest_vertices[r].len()).map(cosine).sum::<f64>() / arc.count as f64
         };
@@ -210,7 +222,8 @@ fn trim_arc_ends(arc: Arc, nearest_vertices: &[NearestLoopVertex]) -> Arc {
     let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));
     let behind = |i: usize, next: usize| {
-        look(i).index_on_rim == look(next).index_on_rim && look(i).distance > look(next).distance
+        look(i).index_on_rim == look(next).index_on_rim
+            && look(i).distance > MAX_EQUAL_DISTANCE_RATIO * look(next).distance
     };
     while first < last && behind(first, first + 1) {
         first += 1;

@@ -38,6 +38,10 @@ const MIN_FACING_COSINE: f64 = 0.1;
 /// Two loops face each other only if the sum of both mean cosines is at least this.
 const MIN_FACING_COSINE_SUM: f64 = 0.8;
 
+/// Two loops lie beside each other if one of them does, neither winds around the other, and the sum of both
+/// mean cosines is smaller than this.
+const MIN_FACING_COSINE_SUM_OF_ONLY_LOOPS: f64 = 0.3;
+
 /// A loop lies ahead of a vertex within 45 degrees of its conormal.
 const MIN_COSINE_AHEAD: f64 = 0.7;
 
@@ -85,6 +89,8 @@ struct FacingMeasures {
     mean_gap: f64,
     /// The mean cosine between its conormals and the directions to the other loop.
     mean_facing_cosine: f64,
+    /// True if its nearest points wind once around the other loop.
+    winds_around: bool,
     /// True if its distances are similar, or its nearest points wind once around the other loop.
     winds_around_or_is_parallel: bool,
     /// True if it lies beside the other loop.
@@ -177,15 +183,20 @@ impl FacingSearch<'_> {
         }))
     }
 
-    /// Returns true if the loops lie beside each other, like the outlines of two sheets on a table.
+    /// Returns true if the loops lie beside each other, like the outlines of two sheets on a table. If
+    /// one outline is much longer, directions from it to the other do not agree, but both loops hardly
+    /// look at each other.
     pub(super) fn lie_beside_each_other(&self, first: usize, second: usize, job: &Job<'_>) -> Result<bool> {
-        let is_beside = |r: usize, k: usize| -> Result<bool> {
+        let measure = |r: usize, k: usize| -> Result<FacingMeasures> {
             let (from, to) = (&self.rims[r], &self.rims[k]);
             let tree = KdTree::new(&to.points, job, STAGE)?;
             let lengths = polyline::lengths(&to.points, true)?;
-            Ok(measure_loop_facing(from, &rim_conormals(from)?, to, &lengths, &tree)?.lies_beside)
+            measure_loop_facing(from, &rim_conormals(from)?, to, &lengths, &tree)
         };
-        Ok(is_beside(first, second)? && is_beside(second, first)?)
+        let (there, back) = (measure(first, second)?, measure(second, first)?);
+        let hardly_look = there.mean_facing_cosine + back.mean_facing_cosine < MIN_FACING_COSINE_SUM_OF_ONLY_LOOPS;
+        Ok(there.lies_beside && back.lies_beside
+            || (there.lies_beside || back.lies_beside) && hardly_look && !there.winds_around && !back.winds_around)
     }
 
     /// Returns the nearest loop ahead for some vertices of each loop.
@@ -314,6 +325,7 @@ fn measure_loop_facing(
         FacingMeasures {
             mean_gap: gap / sum,
             mean_facing_cosine: cosine / sum,
+            winds_around: winds,
             winds_around_or_is_parallel: round,
             lies_beside: beside,
         }
@@ -321,6 +333,7 @@ fn measure_loop_facing(
         FacingMeasures {
             mean_gap: 0.0,
             mean_facing_cosine: 1.0,
+            winds_around: winds,
             winds_around_or_is_parallel: round,
             lies_beside: beside,
         }

@@ -6,7 +6,6 @@
 //! them.
 
 use super::meridian::MeridianEnds;
-use super::stitch_request::Request;
 use super::stitch_rim::Rim;
 use crate::repair::coordinate_round_off;
 use crate::repair::sew_edges::merge_run_ends;
@@ -22,36 +21,45 @@ const STAGE: &str = "comparing loops";
 /// Largest distance of a common point, relative to the shorter edge of either rim at its vertex.
 const MAX_DISTANCE_TO_EDGE_RATIO: f64 = 0.25;
 
-/// Returns the largest distance between two copies of one vertex, in the unit of the positions. The
-/// rims are numbered as in the request.
-pub(super) fn common_point_tolerance(request: &Request<'_>, a: &Rim, b: &Rim, job: &Job<'_>) -> Result<f64> {
-    let first = coordinate_round_off(request.a, &a.vertices, job)?;
-    let second = coordinate_round_off(request.b.unwrap_or(request.a), &b.vertices, job)?;
-    Ok(first.max(second))
-}
+/// An upper bound of the rounding of positions, relative to the largest coordinate.
+const MAX_ROUND_OFF_TO_COORDINATE_RATIO: f64 = 1e-4;
 
 /// Returns the common points of two rims that run side by side, ascending by the place on `a`. On
-/// closed rims, the places on `b` ascend cyclically. `tolerance` is in the unit of the rims.
+/// closed rims, the places on `b` ascend cyclically. The rims are numbered as in `whole`, and have
+/// points in `unit`.
 ///
-/// O((N + M) log M).
-pub(super) fn find_common_points(a: &Rim, b: &Rim, tolerance: f64, job: &Job<'_>) -> Result<Vec<MeridianEnds>> {
-    let [box_a, box_b] = [a, b].map(|rim| Aabb::from_points(rim.points.iter().copied()));
-    if !box_a.grown_by(tolerance).overlaps(&box_b) {
+/// O((N + M) log M), and a pass over `whole` if some vertices are very near each other.
+pub(super) fn find_common_points(
+    whole: &Mesh,
+    a: &Rim,
+    b: &Rim,
+    unit: f64,
+    job: &Job<'_>,
+) -> Result<Vec<MeridianEnds>> {
+    let [box_a, box_b] = [a, b].map(|rim| Aabb::from_points(&rim.points));
+    let largest = [box_a, box_b].map(|of| of.low.abs().max(of.high.abs()).max_element());
+    let bound = MAX_ROUND_OFF_TO_COORDINATE_RATIO * largest[0].max(largest[1]);
+    if !box_a.grown_by(bound).overlaps(&box_b) {
         return Ok(Vec::new());
     }
-    let tree = KdTree::new(&b.points, &job.sub_job(0.0, 0.3), STAGE)?;
-    let job = job.sub_job(0.3, 1.0);
-    let mut found = Vec::new();
+    let tree = KdTree::new(&b.points, &job.sub_job(0.0, 0.2), STAGE)?;
+    let mut near: Vec<(f64, MeridianEnds)> = Vec::new();
     for (i, &p) in a.points.iter().enumerate() {
-        job.step_within_list(i, STAGE)?;
-        let reach = tolerance.min(reach_at(a, i));
-        let near = tree.nearest(p, f64::INFINITY, |_| true);
-        if let Some((_, j)) = near
-            && p.distance(b.points[j as usize]) <= reach.min(reach_at(b, j as usize))
+        job.sub_job(0.2, 0.6).step_within_list(i, STAGE)?;
+        if let Some((squared, j)) = tree.nearest(p, f64::INFINITY, |_| true)
+            && squared.sqrt() <= bound.min(reach_at(a, i)).min(reach_at(b, j as usize))
         {
-            alloc::push(&mut found, [i as u32, j])?;
+            alloc::push(&mut near, (squared.sqrt(), [i as u32, j]))?;
         }
     }
+    if near.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut members = alloc::copied(&a.vertices)?;
+    alloc::append(&mut members, &b.vertices)?;
+    let view = whole.view(&job.sub_job(0.6, 0.8))?;
+    let tolerance = coordinate_round_off(&view, &members, &job.sub_job(0.8, 1.0))? / unit;
+    let mut found = alloc::gather(near.iter().filter(|&&(distance, _)| distance <= tolerance).map(|&(_, ends)| ends))?;
     keep_points_in_order(&mut found, a.closed)?;
     Ok(found)
 }

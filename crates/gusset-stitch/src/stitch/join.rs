@@ -2,7 +2,7 @@
 
 use super::attach_strip::{AttachedStrips, attach_strip};
 use super::combine::append_piece;
-use super::common_points::{common_point_tolerance, find_common_points, keep_mergeable_points, merge_common_points};
+use super::common_points::{find_common_points, keep_mergeable_points, merge_common_points};
 use super::existing_edges::ExistingEdges;
 use super::extent::{Extent, select_arcs};
 use super::facing::{self, check_tolerance};
@@ -54,7 +54,6 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     }
     let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.sub_job(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.sub_job(0.35, 0.4))?;
-    let tolerance = common_point_tolerance(request, &a, &b, &job.sub_job(0.4, 0.4))?;
     let existing = match request.b {
         Some(_) => ExistingEdges::empty(),
         None => {
@@ -103,7 +102,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let part = job.sub_job(0.4, 0.75);
     // A twist joins other points than the common ones.
     let mut common = match options.twist {
-        0 => find_common_points(&a, &b, tolerance / unit, &part.sub_job(0.0, 0.0))?,
+        0 => find_common_points(&whole, &a, &b, unit, &part.sub_job(0.0, 0.0))?,
         _ => Vec::new(),
     };
     if !common.is_empty() {
