@@ -872,7 +872,7 @@ class StitchReport(Record):
 
     @property
     def strip_face_count(self) -> int:
-        """N + M triangles for whole rims without rows, except in a blend."""
+        """N + M triangles for whole rims without rows and common points, except in a blend."""
         return self._struct.strip_face_count
 
     @property

@@ -1,6 +1,6 @@
 //! Sheets of a plane whose borders face each other along a part: only that part is joined.
 
-use crate::common::{Soup, edge_counts, euler, faces_of, some_of};
+use crate::common::{Soup, edge_counts, euler, faces_of};
 use gusset::Job;
 use gusset::assemble::{Options, assemble};
 use gusset::mesh::{Mesh, MeshView};
@@ -26,7 +26,7 @@ fn area(mesh: &Mesh) -> f64 {
 
 #[test]
 fn the_facing_part_of_two_sheets_is_joined() {
-    for seed in some_of(10, 0..4000) {
+    for seed in 0..400 {
         let mut random = fastrand::Rng::with_seed(seed);
         let (long, short) = (random.u32(8..24), random.u32(3..7));
         let (gap, step) = (0.1 + 0.35 * random.f64(), 0.6 + 0.8 * random.f64());
@@ -47,7 +47,7 @@ fn the_facing_part_of_two_sheets_is_joined() {
 
 #[test]
 fn sheets_too_far_apart_stay_as_they_are() {
-    for seed in some_of(4, 0..400) {
+    for seed in 0..100 {
         let mut random = fastrand::Rng::with_seed(seed);
         let (long, short) = (random.u32(14..24), random.u32(3..5));
         let start = 1.0 + random.f64() * f64::from(long - 2 - short);

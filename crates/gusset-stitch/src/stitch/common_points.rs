@@ -112,6 +112,12 @@ pub(super) fn keep_mergeable_points(
     common: &mut Vec<MeridianEnds>,
     job: &Job<'_>,
 ) -> Result<()> {
+    let view = whole.view(&job.sub_job(0.0, 0.2))?;
+    let topology = Topology::new(&view, &job.sub_job(0.2, 0.5))?;
+    let ends = alloc::collect(common.iter().map(|&[i, j]| [[a.vertices[i as usize], b.vertices[j as usize]]; 2]))?;
+    let (merged, _) = merge_run_ends(&view, &topology, &ends, &job.sub_job(0.5, 1.0))?;
+    let mut merged = merged.into_iter();
+    common.retain(|_| merged.next() == Some(true));
     if a.closed
         && let &[[i, j], [k, l]] = common.as_slice()
     {
@@ -121,12 +127,6 @@ pub(super) fn keep_mergeable_points(
             common.truncate(1);
         }
     }
-    let view = whole.view(&job.sub_job(0.0, 0.2))?;
-    let topology = Topology::new(&view, &job.sub_job(0.2, 0.5))?;
-    let ends = alloc::collect(common.iter().map(|&[i, j]| [[a.vertices[i as usize], b.vertices[j as usize]]; 2]))?;
-    let (merged, _) = merge_run_ends(&view, &topology, &ends, &job.sub_job(0.5, 1.0))?;
-    let mut merged = merged.into_iter();
-    common.retain(|_| merged.next() == Some(true));
     Ok(())
 }
 

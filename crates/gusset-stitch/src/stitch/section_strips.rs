@@ -64,8 +64,8 @@ impl Section {
         Ok(sides)
     }
 
-    /// Appends the meridians of the section after its first: those of its strip as places on the
-    /// rims, and the common last point.
+    /// Appends the meridians of the section, except its common first point: the meridians of its strip,
+    /// as places on the rims, and the common last point.
     fn append_meridians(&self, strip: Option<&Strip>, all: &mut Vec<MeridianEnds>) -> Result<()> {
         if let Some(strip) = strip {
             let own = self.rim_with_ends();
