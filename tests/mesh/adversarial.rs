@@ -10,7 +10,7 @@ use gusset::mesh::PositionBuffer;
 use gusset::stitch::{Cells, Fairing, Intersections, Meridians, Options, Request, Rows, Start, Stitch, stitch};
 use gusset_oracles::cuts::{Point, cut_pairs, have_area};
 use proptest::prelude::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::f64::consts::TAU;
 
 const ALL: [Meridians; 8] = [
@@ -144,7 +144,7 @@ fn bits(positions: &PositionBuffer) -> Vec<[u64; 3]> {
 }
 
 /// The result is an oriented two-manifold with the Euler characteristic and loops of the pieces
-/// minus the two rims. Old vertices are kept bit for bit, old faces are kept or reversed. No
+/// minus the two rims. Old vertices are kept bit for bit, or merged; old faces are kept or reversed. No
 /// coordinate is NaN, and each reported pair of faces exists once.
 pub(crate) fn assert_valid(a: &Shell, b: &Shell, joined: &Stitch, what: &str) {
     assert!(edge_counts(faces_of(&joined.mesh)).values().all(|&(f, g)| f <= 1 && g <= 1), "{what}");
@@ -158,13 +158,16 @@ pub(crate) fn assert_valid(a: &Shell, b: &Shell, joined: &Stitch, what: &str) {
     assert_eq!(quality.loops_left, found.boundary_walks, "{what}");
 
     let now = bits(&joined.mesh.positions);
-    let old: Vec<_> = a.soup.points.iter().chain(&b.soup.points).map(|p| p.map(f64::to_bits)).collect();
-    assert!(now.starts_with(&old), "{what}");
+    let maps = joined.maps.each_ref().map(|map| map.vertices.as_slice());
+    for (soup, map) in [&a.soup, &b.soup].into_iter().zip(maps) {
+        assert!(soup.points.iter().zip(map).all(|(p, &v)| p.map(f64::to_bits) == now[v as usize]), "{what}");
+    }
+    let old: HashSet<u32> = maps.concat().into_iter().collect();
+    assert_eq!(old.len() + joined.parents.len(), now.len(), "{what}");
     assert!((0..now.len() as u32).all(|v| joined.mesh.positions.get(v).is_finite()), "{what}");
-    let shift = a.soup.points.len() as u32;
-    let given = a.soup.faces().map(|f| (f, 0, false)).chain(b.soup.faces().map(|f| (f, shift, joined.turned)));
-    for ((face, shift, turned), found) in given.zip(faces_of(&joined.mesh)) {
-        let mut expected: Vec<u32> = face.iter().map(|v| v + shift).collect();
+    let given = a.soup.faces().map(|f| (f, maps[0], false)).chain(b.soup.faces().map(|f| (f, maps[1], joined.turned)));
+    for ((face, map, turned), found) in given.zip(faces_of(&joined.mesh)) {
+        let mut expected: Vec<u32> = face.iter().map(|&v| map[v as usize]).collect();
         if turned {
             expected[1..].reverse();
         }
