@@ -611,9 +611,9 @@ typedef struct gusset_stitch_report {
 /// Joins two boundary loops, of two meshes or of one, by a strip: a closed band between whole loops, or open between
 /// facing arcs.
 /// The result has the vertices of A, B, then new ones, in A's scalar type; the faces of A, B, then the strip. An arc of
-/// one vertex gets a fan, which touches its piece there only; two get one meridian and no face. If vertices of both rims
-/// coincide up to rounding, the vertex of rim 0 replaces the other, and strips without rows join the rims between these
-/// points.
+/// one vertex gets a fan, which touches its piece there only; two get one meridian and no face. If vertices of both
+/// rims coincide up to rounding, the vertex of rim 0 replaces the other, and strips without rows join the rims between
+/// these points.
 /// @param loop_a vertices in order, in either direction, cyclically joined by boundary edges. If both loops are NULL,
 ///     the two nearest are joined; if one, the nearest to the other. Candidates are closed, manifold, consistently
 ///     oriented, of at least 3 vertices; two of one mesh share no vertex.
