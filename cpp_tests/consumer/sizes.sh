@@ -23,4 +23,4 @@ at_most 12000000 "$prefix/lib/libgusset.so"
 at_most 40000000 "$prefix/lib/libgusset.a"
 # Joining includes filling and all that follows it.
 at_most 3700000 "$folder/join"
-at_most 2100000 "$folder/stitch"
+at_most 2140000 "$folder/stitch"

@@ -53,7 +53,7 @@ TEST_CASE("streams come back") {
 
 TEST_CASE("scenes come back, and share the nets that they shared") {
     gusset::Scene scene;
-    const Net wheel = Net::from_primitive(Primitive::torus(1, 0.2));
+    const Net wheel = Net::from_primitive(Primitive::torus(1, 0.2).with(gusset::Scalar::f32));
     const uint32_t axle = scene.add_group();
     for (const double side : {-1.0, 1.0}) {
         const uint32_t entry = scene.add(wheel);

@@ -211,7 +211,7 @@ typedef struct gusset_outline_options {
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     double alpha;
-    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01, or 1/12 with
+    /// Composite parameters are clamped to this and 1 - this: at least 0.001, below 1/2; 0: 0.01, or 1/12 with
     /// GUSSET_JOINT_PARAMETER_G2.
     double parameter_limit;
     /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
@@ -337,10 +337,11 @@ typedef struct gusset_outline_history {
     size_t struct_size;
     /// The cycles.
     const struct gusset_outline_cycle *cycles;
-    /// Number of cycles; 0 unless the option history was 1.
+    /// Number of cycles; 0 unless the option history was 1. Without corners, at most the iterations of the report: an
+    /// iteration that fails has no cycle.
     size_t cycle_count;
-    /// Control points after each cycle. For single curves all of the curve, for composite curves one for each distinct
-    /// point; at open ends, the point.
+    /// Control points after each cycle. All of a single curve, also if a composite curve replaces it. Of a composite
+    /// curve, one for each distinct point; at open ends the point, or the control point on the end's tangent.
     const double *controls;
     size_t control_count;
 } gusset_outline_history;

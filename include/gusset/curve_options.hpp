@@ -24,7 +24,7 @@ struct OutlineOptions {
     OutlineEnds ends = OutlineEnds::free;
     /// 0 to 1. A value sets method to GUSSET_METHOD_ALPHA.
     std::optional<double> alpha;
-    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01, or 1/12 with
+    /// Composite parameters are clamped to this and 1 - this: at least 0.001, below 1/2; 0: 0.01, or 1/12 with
     /// GUSSET_JOINT_PARAMETER_G2.
     double parameter_limit = 0.0;
     /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.

@@ -567,7 +567,7 @@ typedef struct gusset_join_report {
 /// Parts of a stitch, by index in the result. Entry 0 is the first mesh's, 1 the second's.
 typedef struct gusset_stitch_report {
     size_t struct_size;
-    /// Index of each old vertex; empty without a second mesh.
+    /// Index of each old vertex. Entry 1 is empty without a second mesh.
     struct gusset_indices vertex_map[2];
     /// Index of each old face.
     struct gusset_indices face_map[2];
@@ -576,7 +576,7 @@ typedef struct gusset_stitch_report {
     struct gusset_indices rim[2];
     /// Pairs (i, j) of rim indices, the matrix H. Whole rims of N and M vertices: from (0, 0) to (N, M), where index N
     /// is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1; with GUSSET_MERIDIANS_INDEX and
-    /// GUSSET_MERIDIANS_QUAD also both.
+    /// GUSSET_MERIDIANS_QUAD, and between common points, also both.
     struct gusset_indices meridians;
     /// The matrix P: vertices row by row from rim 0 to rim 1, a column for each meridian.
     struct gusset_indices matrix;

@@ -48,7 +48,7 @@ class OutlineOptions(TypedDict, total=False):
     ends: choices.OutlineEnds
     #: 0 to 1.
     alpha: float
-    #: Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01, or 1/12 with
+    #: Composite parameters are clamped to this and 1 - this: at least 0.001, below 1/2; 0: 0.01, or 1/12 with
     #: GUSSET_JOINT_PARAMETER_G2.
     parameter_limit: float
     #: Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.

@@ -232,8 +232,9 @@ class OutlineHistory(Record):
 
     @property
     def controls(self) -> NDArray[np.float64]:
-        """Control points after each cycle. For single curves all of the curve, for composite curves one for each
-        distinct point; at open ends, the point.
+        """Control points after each cycle. All of a single curve, also if a composite curve replaces it. Of a
+        composite curve, one for each distinct point; at open ends the point, or the control point on the end's
+        tangent.
         """
         return self._array('controls', self._struct.control_count, 3)
 
@@ -825,7 +826,7 @@ class StitchReport(Record):
 
     @property
     def vertex_map(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Index of each old vertex; empty without a second mesh."""
+        """Index of each old vertex. Entry 1 is empty without a second mesh."""
         return self._array('vertex_map', part=0), self._array('vertex_map', part=1)
 
     @property
@@ -844,7 +845,7 @@ class StitchReport(Record):
     def meridians(self) -> NDArray[np.uint32]:
         """Pairs (i, j) of rim indices, the matrix H. Whole rims of N and M vertices: from (0, 0) to (N, M), where
         index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1; with GUSSET_MERIDIANS_INDEX and
-        GUSSET_MERIDIANS_QUAD also both.
+        GUSSET_MERIDIANS_QUAD, and between common points, also both.
         """
         return self._array('meridians', -1, 2)
 

@@ -170,10 +170,12 @@ pub struct gusset_outline_history {
     /// The cycles.
     /// @shape cycle_count
     pub cycles: *const gusset_outline_cycle,
-    /// Number of cycles; 0 unless the option history was 1.
+    /// Number of cycles; 0 unless the option history was 1. Without corners, at most the iterations
+    /// of the report: an iteration that fails has no cycle.
     pub cycle_count: usize,
-    /// Control points after each cycle. For single curves all of the curve, for composite curves one
-    /// for each distinct point; at open ends, the point.
+    /// Control points after each cycle. All of a single curve, also if a composite curve replaces it.
+    /// Of a composite curve, one for each distinct point; at open ends the point, or the control
+    /// point on the end's tangent.
     /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.

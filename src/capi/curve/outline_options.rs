@@ -179,7 +179,7 @@ pub struct gusset_outline_options {
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     pub alpha: f64,
-    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 0.01, or
+    /// Composite parameters are clamped to this and 1 - this: at least 0.001, below 1/2; 0: 0.01, or
     /// 1/12 with GUSSET_JOINT_PARAMETER_G2.
     pub parameter_limit: f64,
     /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.

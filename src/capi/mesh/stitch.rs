@@ -20,7 +20,7 @@ use gusset_base::alloc;
 pub struct gusset_stitch_report {
     /// sizeof(gusset_stitch_report).
     pub struct_size: usize,
-    /// Index of each old vertex; empty without a second mesh.
+    /// Index of each old vertex. Entry 1 is empty without a second mesh.
     pub vertex_map: [gusset_indices; 2],
     /// Index of each old face.
     pub face_map: [gusset_indices; 2],
@@ -29,7 +29,7 @@ pub struct gusset_stitch_report {
     pub rim: [gusset_indices; 2],
     /// Pairs (i, j) of rim indices, the matrix H. Whole rims of N and M vertices: from (0, 0) to
     /// (N, M), where index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1; with
-    /// GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD also both.
+    /// GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD, and between common points, also both.
     /// @shape * 2
     pub meridians: gusset_indices,
     /// The matrix P: vertices row by row from rim 0 to rim 1, a column for each meridian.

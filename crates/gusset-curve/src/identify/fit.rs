@@ -92,7 +92,7 @@ impl Fit {
     /// Returns the control points at the ends of all cycles of outline `k`, cycle after cycle; see
     /// [`Cycle::control_end`]. A single curve has all its control points in each cycle. A composite
     /// curve has one control point for each distinct point of its subcurve; at the ends of an open
-    /// subcurve, it is the point itself.
+    /// subcurve, it is the point itself, or the control point on the end's tangent.
     ///
     /// # Panics
     /// If outline `k` does not exist.

@@ -15,9 +15,11 @@ use glam::DVec3;
 /// The sine of the largest angle by which an outline may leave its plane.
 const MAX_PLANE_SINE: f64 = 1e-9;
 
-/// Returns the unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
+/// Returns the unit normal of the plane of a subcurve and its tangents; `None` if they do not lie in
+/// one plane.
 pub(super) fn subcurve_plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
-    if sub.points.iter().all(|p| p.z == 0.0) {
+    let tangents = || sub.tangents.into_iter().flatten();
+    if sub.points.iter().all(|p| p.z == 0.0) && tangents().all(|tangent| tangent.z == 0.0) {
         return Some(DVec3::Z);
     }
     let origin = sub.points[0];
@@ -37,8 +39,15 @@ pub(super) fn subcurve_plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     // A straight subcurve lies in every plane that contains it.
     let normal = match normal.length() > MAX_PLANE_SINE * sub.outline_size {
         true => normal.normalize(),
-        false => axis.any_orthonormal_vector(),
+        false => {
+            let aside = tangents().map(|tangent| axis.cross(tangent)).max_by(|a, b| a.length().total_cmp(&b.length()));
+            aside
+                .filter(|across| across.length() > MAX_PLANE_SINE)
+                .map_or(axis.any_orthonormal_vector(), DVec3::normalize)
+        }
     };
+    let are_tangents_in_plane = tangents().all(|tangent| normal.dot(tangent).abs() <= MAX_PLANE_SINE);
+    are_tangents_in_plane.then_some(())?;
     sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.outline_size).then_some(normal)
 }
 
@@ -90,6 +99,15 @@ mod tests {
         let straight = normal(&[DVec3::ZERO, DVec3::ONE, DVec3::ONE * 3.0]).unwrap();
         assert!(straight.dot(DVec3::ONE).abs() < 1e-15);
         assert_eq!(normal(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]), None);
+        // Tangents determine the plane of a straight run, or leave the plane of the points.
+        let with_tangent = |points: &[DVec3], tangent: DVec3| {
+            let tangents = [Some(tangent), None];
+            subcurve_plane_normal(&Subcurve { points, closed: false, tangents, outline_size: 4.0, options: &options })
+        };
+        let across = with_tangent(&[DVec3::ZERO, DVec3::ONE, DVec3::ONE * 3.0], DVec3::Y).unwrap();
+        assert!(across.dot(DVec3::ONE).abs() < 1e-15 && across.y.abs() < 1e-15, "{across}");
+        assert_eq!(with_tangent(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::Z), None);
+        assert_eq!(with_tangent(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::X), Some(DVec3::Z));
     }
 
     #[test]

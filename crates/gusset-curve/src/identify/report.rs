@@ -158,8 +158,12 @@ impl ReportInProgress {
 
     /// Replaces the move of the last cycle, which ended with a further step.
     pub(super) fn correct_last_move(&mut self, largest_move: f64) {
-        if !self.is_uncounted {
-            self.report.last_move = largest_move;
+        if self.is_uncounted {
+            return;
+        }
+        self.report.last_move = largest_move;
+        if let Some(cycle) = self.history.as_mut().and_then(|history| history.cycles.last_mut()) {
+            cycle.moved = largest_move;
         }
     }
 

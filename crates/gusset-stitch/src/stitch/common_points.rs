@@ -98,7 +98,9 @@ fn keep_points_in_order(pairs: &mut Vec<MeridianEnds>, cyclic: bool) -> Result<(
     }
     let mut kept = kept.into_iter();
     pairs.retain(|_| kept.next() == Some(true));
-    pairs.sort_unstable();
+    // Ascending again by the first place: only the rotation has changed the order.
+    let start = (0..pairs.len()).min_by_key(|&k| pairs[k][0]).unwrap_or(0);
+    pairs.rotate_left(start);
     Ok(())
 }
 

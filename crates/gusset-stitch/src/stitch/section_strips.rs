@@ -227,7 +227,7 @@ impl RimEdges {
         let ends = [(a[0], b[0]), (a[a.len() - 1], b[b.len() - 1])];
         let bounds = |edge: &(u32, u32)| (0..2).any(|k| common[k] && ends[k] == *edge);
         let mut on_b = alloc::copied(b)?;
-        on_b.sort_unstable();
+        sort_distinct(&mut on_b);
         let mut edges = Vec::new();
         for &u in a {
             let from = self.0.partition_point(|&(v, _)| v < u);
