@@ -340,8 +340,9 @@ typedef struct gusset_outline_history {
     /// Number of cycles; 0 unless the option history was 1. Without corners, at most the iterations of the report: an
     /// iteration that fails has no cycle.
     size_t cycle_count;
-    /// Control points after each cycle. All of a single curve, also if a composite curve replaces it. Of a composite
-    /// curve, one for each distinct point; at open ends the point, or the control point on the end's tangent.
+    /// Control points after each cycle. A single curve has all its own, also if a composite curve replaces it. A
+    /// composite curve has one for each distinct point; at open ends, the point or the control point on the end's
+    /// tangent.
     const double *controls;
     size_t control_count;
 } gusset_outline_history;

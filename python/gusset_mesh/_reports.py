@@ -232,8 +232,8 @@ class OutlineHistory(Record):
 
     @property
     def controls(self) -> NDArray[np.float64]:
-        """Control points after each cycle. All of a single curve, also if a composite curve replaces it. Of a
-        composite curve, one for each distinct point; at open ends the point, or the control point on the end's
+        """Control points after each cycle. A single curve has all its own, also if a composite curve replaces it. A
+        composite curve has one for each distinct point; at open ends, the point or the control point on the end's
         tangent.
         """
         return self._array('controls', self._struct.control_count, 3)

@@ -173,9 +173,9 @@ pub struct gusset_outline_history {
     /// Number of cycles; 0 unless the option history was 1. Without corners, at most the iterations
     /// of the report: an iteration that fails has no cycle.
     pub cycle_count: usize,
-    /// Control points after each cycle. All of a single curve, also if a composite curve replaces it.
-    /// Of a composite curve, one for each distinct point; at open ends the point, or the control
-    /// point on the end's tangent.
+    /// Control points after each cycle. A single curve has all its own, also if a composite curve
+    /// replaces it. A composite curve has one for each distinct point; at open ends, the point or
+    /// the control point on the end's tangent.
     /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
