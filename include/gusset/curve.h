@@ -220,8 +220,7 @@ typedef struct gusset_outline_options {
     double corner_angle;
     /// Iterations end when moves are within it; below 1; 0: 1e-12.
     double tolerance;
-    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement may take twice as
-    /// many more.
+    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement iterates further.
     uint32_t max_sweeps;
     /// Most steps at a point in a sweep; 0: 20,000.
     uint32_t max_steps;

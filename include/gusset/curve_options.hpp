@@ -33,8 +33,7 @@ struct OutlineOptions {
     double corner_angle = 0.0;
     /// Iterations end when moves are within it; below 1; 0: 1e-12.
     double tolerance = 0.0;
-    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement may take twice as
-    /// many more.
+    /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement iterates further.
     uint32_t max_sweeps = 0;
     /// Most steps at a point in a sweep; 0: 20,000.
     uint32_t max_steps = 0;

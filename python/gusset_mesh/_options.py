@@ -57,8 +57,7 @@ class OutlineOptions(TypedDict, total=False):
     corner_angle: float
     #: Iterations end when moves are within it; below 1; 0: 1e-12.
     tolerance: float
-    #: Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement may take twice as
-    #: many more.
+    #: Most sweeps or iterations between corners; 0: 200. If they do not converge, their replacement iterates further.
     max_sweeps: int
     #: Most steps at a point in a sweep; 0: 20,000.
     max_steps: int

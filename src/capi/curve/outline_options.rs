@@ -189,7 +189,7 @@ pub struct gusset_outline_options {
     /// Iterations end when moves are within it; below 1; 0: 1e-12.
     pub tolerance: f64,
     /// Most sweeps or iterations between corners; 0: 200. If they do not converge, their
-    /// replacement may take twice as many more.
+    /// replacement iterates further.
     pub max_sweeps: u32,
     /// Most steps at a point in a sweep; 0: 20,000.
     pub max_steps: u32,

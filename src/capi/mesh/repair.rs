@@ -76,7 +76,8 @@ impl gusset_repair_options {
     }
 }
 
-/// Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at defects. Stages, in order:
+/// Removes the defects of a mesh, to get a valid solid where possible. Changes only faces at
+/// defects. Stages, in order:
 /// - Coincident borders are sewn, as by gusset_sew. Without a given tolerance, narrow gaps are
 ///   closed.
 /// - Faces without area are dropped; their neighbours meet there.

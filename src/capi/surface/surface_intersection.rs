@@ -105,8 +105,8 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 /// @param other NULL: self-intersections; if `surface`, everything coincides.
 /// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
 /// @complexity Proportional to pairs of cells within the tolerance, and to points, about 1 /
-///     sqrt(chord); parallel. At most 256 boxes of parameters for each pair, and 2^22 more in all. Self-intersections: also to cells, and n^2/2 for n
-///     cells round a pole.
+///     sqrt(chord); parallel. At most 256 boxes of parameters for each pair, and 2^22 more in all.
+///     Self-intersections: also to cells, and n^2/2 for n cells round a pole.
 /// @source Leus, task e.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -155,7 +155,7 @@ pub struct Options {
     /// the solution may be a few times larger if an iteration converges slowly.
     pub tolerance: f64,
     /// The maximum number of sweeps or iterations between two corners; at least 1. If they do not
-    /// converge, their replacement may take twice as many more.
+    /// converge, their replacement iterates further.
     pub max_sweeps: u32,
     /// The maximum number of steps of the stepping solver at a point, in one sweep; at least 1.
     pub max_steps: u32,
