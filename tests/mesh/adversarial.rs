@@ -294,6 +294,31 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+
+    /// On a small lattice most rims touch: they have one point in common, or more.
+    #[test]
+    fn rims_that_touch_give_valid_surfaces(
+        a in prop::collection::vec(prop::array::uniform3(-2i32..3), 3..7),
+        b in prop::collection::vec(prop::array::uniform3(-2i32..3), 3..7),
+        is_flat: bool,
+    ) {
+        let rim = |points: &[[i32; 3]]| -> Vec<P> {
+            points.iter().map(|&[x, y, z]| [x, y, if is_flat { 0 } else { z }].map(f64::from)).collect()
+        };
+        let (a, b) = (shell(&rim(&a), down, true), shell(&rim(&b), up, true));
+        for meridians in ALL {
+            for cells in [Cells::Triangles, Cells::Quads] {
+                let intersections = Intersections::Report;
+                let options = Options { meridians, cells, intersections, ..Options::default() };
+                let joined = join(&a, &b, &options);
+                assert_valid(&a, &b, &joined, &format!("{meridians:?} {cells:?} {:?}", joined.meridians));
+            }
+        }
+    }
+}
+
 #[test]
 fn the_better_of_two_starts_is_kept() {
     let area = |a: &Shell, b: &Shell, start| {

@@ -56,6 +56,14 @@ impl ExistingEdges {
         !self.edges.is_empty() && self.edges.binary_search(&(u, v)).is_ok()
     }
 
+    /// Returns true if a meridian or a diagonal must not join place `i` of rim A to place `j` of rim B.
+    pub(super) fn forbid(&self, a: &Rim, b: &Rim, [i, j]: [usize; 2]) -> bool {
+        let has_fan_at = |end: bool, corner: [usize; 2]| end && i == corner[0] && j != corner[1];
+        has_fan_at(self.ends_without_fan[0], [0, 0])
+            || has_fan_at(self.ends_without_fan[1], [a.vertices.len() - 1, b.vertices.len() - 1])
+            || self.contains(a.vertices[i], b.vertices[j])
+    }
+
     /// Returns the places (i, j) of the edges' ends on rims `a` and `b`.
     pub(super) fn lattice_nodes(&self, a: &Rim, b: &Rim) -> Result<Vec<[u32; 2]>> {
         if self.is_empty() {

@@ -117,7 +117,7 @@ impl MeridianGrid {
         // Vertices of A have numbers below n. Without interior rows the other vertices are on B.
         let taken = |p: u32, q: u32| {
             let (i, j) = (p.min(q), p.max(q));
-            existing.is_some_and(|existing| existing.contains(a.vertices[i as usize], b.vertices[(j - n) as usize]))
+            existing.is_some_and(|existing| existing.forbid(a, b, [i as usize, (j - n) as usize]))
         };
         let blocked = |p: u32| Err(Error::NoStrip { vertex: a.vertices[p.min(n - 1) as usize] });
         let flipped = if self.rows == 0 && a.closed && !quads { self.quad_to_flip(n, &taken) } else { None };
