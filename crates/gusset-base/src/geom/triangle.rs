@@ -10,16 +10,28 @@ pub fn double_area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 
 /// Returns the smallest interior angle, in radians; 0 for a degenerate triangle.
 ///
-/// The smallest angle is opposite the shortest side. The arc tangent of (cross, dot) is accurate
-/// for any angle, and `libm`'s version returns the same bits on every machine.
+/// The arc tangent of (cross, dot) is accurate for any angle, and `libm`'s version returns the same
+/// bits on every machine.
 pub fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    smallest_corner(a, b, c).map_or(0.0, |[cross, dot]| libm::atan2(cross, dot))
+}
+
+/// Returns the tangent of the smallest interior angle; 0 for a degenerate triangle. It compares
+/// triangles as [`min_angle`] does, and takes less time.
+pub fn tangent_of_min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    smallest_corner(a, b, c).map_or(0.0, |[cross, dot]| cross / dot)
+}
+
+/// Returns the length of the cross product, and the dot product, of the sides at the smallest
+/// angle, which is opposite the shortest side; `None` if that side has no length.
+fn smallest_corner(a: DVec3, b: DVec3, c: DVec3) -> Option<[f64; 2]> {
     let corner = |p: DVec3, q: DVec3, r: DVec3| {
         let (u, v) = (q - p, r - p);
-        libm::atan2(u.cross(v).length(), u.dot(v))
+        Some([u.cross(v).length(), u.dot(v)])
     };
     let (ab, bc, ca) = ((b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared());
     if ab.min(bc).min(ca) == 0.0 {
-        0.0
+        None
     } else if bc <= ab && bc <= ca {
         corner(a, b, c)
     } else if ca <= ab {

@@ -30,5 +30,5 @@ mod fold_free_moves;
 mod blend_plan;
 mod old_ring;
 
-pub(crate) use blend_plan::{Blend, BlendFairing, BlendPlan, GuideSurface, NewVertexLimits};
+pub(crate) use blend_plan::{BlendFairing, BlendPlan, GuideSurface, NewVertexLimits};
 pub(crate) use old_ring::{MAX_FAN_TRIANGLES, OldRing, SecondRing};

@@ -110,12 +110,12 @@ impl<'a> HoleFilling<'a> {
         };
         let taken =
             |u: u32, v: u32| is_taken_edge(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
-        let mut planner = PatchBuilder::new(&rim, self.options, &taken);
+        let mut planner = PatchBuilder::new(&rim, self.options, &taken, None);
         let (mut found, mut limited) = (None, false);
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.sub_job_of_item(i, ways.len());
-            if planner.exceeds_limit(attempt, 0) {
+            if planner.exceeds_limit(attempt) {
                 limited = true;
                 continue;
             }
@@ -187,7 +187,8 @@ impl<'a> HoleFilling<'a> {
         }
         let taken =
             |u: u32, v: u32| is_taken_edge(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
-        let mut planner = PatchBuilder::new(&rim, self.options, &taken);
+        let first = &self.finished_patches.patches[k];
+        let mut planner = PatchBuilder::new(&rim, self.options, &taken, Some((first.attempt, first.vertices.len())));
         let mut least = trials.count_intersections(
             &self.finished_patches.vertices,
             &self.finished_patches.patches,
@@ -196,7 +197,7 @@ impl<'a> HoleFilling<'a> {
             &job.sub_job(0.0, 0.0),
         )?;
         let first_tried = self.finished_patches.vertices.end_vertex_number();
-        let (mut better, mut limited, first) = (None, false, self.finished_patches.patches[k].vertices.len());
+        let (mut better, mut limited) = (None, false);
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.sub_job_of_item(i, ways.len());
@@ -206,7 +207,7 @@ impl<'a> HoleFilling<'a> {
             if attempt == self.finished_patches.patches[k].attempt {
                 continue;
             }
-            if planner.exceeds_limit(attempt, first) {
+            if planner.exceeds_limit(attempt) {
                 limited = true;
                 continue;
             }

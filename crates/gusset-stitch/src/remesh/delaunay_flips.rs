@@ -7,6 +7,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
+use gusset_mesh::NONE;
 
 /// Largest number of passes over all edges, because flips enable further flips.
 const MAX_FLIP_PASSES: usize = 30;
@@ -32,13 +33,24 @@ impl PatchMesh {
         taken: &dyn Fn(u32, u32) -> bool,
         job: &Job<'_>,
     ) -> Result<()> {
-        for pass in 0..MAX_FLIP_PASSES {
-            let pass = job.sub_job_of_item(pass, MAX_FLIP_PASSES);
+        // The last pass that changed each triangle, from 1 on. A side needs no test if neither of its triangles
+        // changed in the last pass, or in this one.
+        let mut last_change = alloc::filled(0, self.triangles.len())?;
+        for pass in 1..=MAX_FLIP_PASSES {
+            let part = job.sub_job_of_item(pass - 1, MAX_FLIP_PASSES);
             let mut flipped = false;
             for t in 0..self.triangles.len() {
-                pass.step_every(ELEMENTS_PER_REPORT, t, self.triangles.len(), "refining")?;
+                part.step_every(ELEMENTS_PER_REPORT, t, self.triangles.len(), "refining")?;
                 for k in 0..3 {
-                    flipped |= self.flip_side_if_not_delaunay(rim, taken, t, k).is_some();
+                    let across = self.triangles_across_sides[t][k];
+                    let is_old = |t: usize| last_change[t] + 1 < pass;
+                    if across == NONE || is_old(t) && is_old(across as usize) {
+                        continue;
+                    }
+                    if let Some(s) = self.flip_side_if_not_delaunay(rim, taken, t, k) {
+                        (last_change[t], last_change[s]) = (pass, pass);
+                        flipped = true;
+                    }
                 }
             }
             if !flipped {
@@ -85,8 +97,12 @@ impl PatchMesh {
         let [c, d] = [u, v].map(|v| self.points[v as usize]);
         // sin(alpha + beta) times a positive factor; negative beyond 180 degrees.
         let legs = [p - c, q - c, p - d, q - d];
+        let cosines = [legs[0].dot(legs[1]), legs[2].dot(legs[3])];
+        if cosines[0] >= 0.0 && cosines[1] >= 0.0 {
+            return None;
+        }
         let (sine, other_sine) = (legs[0].cross(legs[1]).length(), legs[2].cross(legs[3]).length());
-        let sum = sine * legs[2].dot(legs[3]) + other_sine * legs[0].dot(legs[1]);
+        let sum = sine * cosines[1] + other_sine * cosines[0];
         let size = legs.iter().map(|leg| leg.length()).product::<f64>();
         if sum >= -MAX_COCIRCULAR_SINE * size {
             return None;

@@ -12,7 +12,7 @@ pub(crate) struct PatchMesh {
     pub(crate) points: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
     /// For each side from corner k to the next, the triangle across it, or [`NONE`].
-    triangles_across_sides: Vec<[u32; 3]>,
+    pub(super) triangles_across_sides: Vec<[u32; 3]>,
 }
 
 fn next_corner(k: usize) -> usize {

@@ -5,7 +5,7 @@ use super::patch_mesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::triangle::min_angle;
+use gusset_base::geom::triangle::tangent_of_min_angle;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 
@@ -49,18 +49,17 @@ impl PatchMesh {
 
 /// Returns a better position for `point` inside the polygon of its `star`.
 fn better_position_in_star(point: DVec3, star: &[[DVec3; 2]]) -> DVec3 {
-    let least = |point: DVec3| star.iter().map(|&[p, q]| min_angle(point, p, q)).fold(f64::INFINITY, f64::min);
+    let tangents = |point: DVec3| star.iter().map(move |&[p, q]| tangent_of_min_angle(point, p, q));
     let area: DVec3 = star.iter().map(|&[p, q]| (p - point).cross(q - point)).sum();
     let normal = area.normalize_or_zero();
-    let mut best = (least(point), point);
+    let mut best = (tangents(point).fold(f64::INFINITY, f64::min), point);
     let centre = star.iter().map(|&[p, q]| p + q).sum::<DVec3>() / (2.0 * star.len() as f64);
     let way = (centre - point) - normal * (centre - point).dot(normal);
     for step in STEP_FRACTIONS {
         let place = point + step * way;
         let keeps = star.iter().all(|&[p, q]| (p - place).cross(q - place).dot(normal) > 0.0);
-        let angle = least(place);
-        if keeps && angle > best.0 {
-            best = (angle, place);
+        if keeps && tangents(place).all(|tangent| tangent > best.0) {
+            best = (tangents(place).fold(f64::INFINITY, f64::min), place);
         }
     }
     best.1
