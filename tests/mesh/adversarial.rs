@@ -24,7 +24,7 @@ const ALL: [Meridians; 8] = [
     Meridians::Quad,
 ];
 
-type P = [f64; 3];
+pub(crate) type P = [f64; 3];
 
 /// A ring of faces behind a rim, whose vertices are the first ones.
 #[derive(Clone)]
@@ -138,7 +138,7 @@ pub(crate) fn join(a: &Shell, b: &Shell, options: &Options) -> Stitch {
     join_with(a, b, options, &Job::default())
 }
 
-fn bits(positions: &PositionBuffer) -> Vec<[u64; 3]> {
+pub(crate) fn bits(positions: &PositionBuffer) -> Vec<[u64; 3]> {
     let PositionBuffer::F64(points) = positions else { panic!("single precision") };
     points.iter().map(|p| p.map(f64::to_bits)).collect()
 }
@@ -343,7 +343,7 @@ fn the_better_of_two_starts_is_kept() {
 }
 
 /// Rims on which nothing is as near as anything else.
-fn generic() -> (Shell, Shell) {
+pub(crate) fn generic() -> (Shell, Shell) {
     let jitter = |k: f64, s: f64| 0.03 * (s * 12.9898 * (k + 1.0)).sin();
     let a = ring(37, |t| [t.cos() + jitter(t, 1.0), t.sin() + jitter(t, 2.0), jitter(t, 7.0)]);
     let b = ring(29, |t| {
@@ -353,7 +353,7 @@ fn generic() -> (Shell, Shell) {
     (shell(&a, down, false), shell(&b, up, true))
 }
 
-fn ways() -> impl Iterator<Item = Options> {
+pub(crate) fn ways() -> impl Iterator<Item = Options> {
     ALL.into_iter().flat_map(|meridians| {
         [(0, Fairing::None), (2, Fairing::None), (3, Fairing::ThinPlate)].map(|(rows, fairing)| Options {
             meridians,

@@ -34,6 +34,7 @@ mod partial_rims;
 mod patches;
 mod pieces;
 mod regions;
+mod piece_order;
 mod rows;
 mod seams;
 mod solid;

@@ -13,6 +13,7 @@ use crate::stitch::existing_edges::ExistingEdges;
 use crate::stitch::facing::Arc;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
+use crate::stitch::rim_order::RimOrder;
 use crate::stitch::stitch_rim::{Rim, have_coincident_vertices, shared_vertex};
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Intersections, Rows};
@@ -222,9 +223,11 @@ fn join_facing_loops(
             blend_avoids_cuts: false,
         };
         if outcome == Outcome::Joined {
-            let existing = edges.existing_edges_between(facing.rims, &sides)?;
+            let order = RimOrder::new(&sides[0], &sides[1]);
+            let existing = order.sort_edges(edges.existing_edges_between(facing.rims, &sides)?)?;
             let [a, mut b] = sides;
             b.reverse();
+            let [a, b] = order.sort_rims([a, b]);
             let is_slit = facing.rims[0] == facing.rims[1];
             // The ends of a slit already have edges.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
@@ -244,7 +247,9 @@ fn join_facing_loops(
                         }
                         IntersectingStripTreatment::Listed(all) => alloc::append(all, pairs)?,
                         IntersectingStripTreatment::Kept if !pairs.is_empty() => {
-                            let sides = loops.facing_sides(facing)?;
+                            let [a, mut b] = loops.facing_sides(facing)?;
+                            b.reverse();
+                            let sides = order.sort_rims([a, b]);
                             joint.blend_avoids_cuts = does_blend_avoid_cuts(
                                 mesh,
                                 sides,
@@ -261,7 +266,7 @@ fn join_facing_loops(
                     let name = |v: u32| attached.mesh_vertex_of_strip_vertex[v as usize];
                     let new = strip.parents.iter().map(|parents| (parents.vertices.map(name), parents.weights));
                     base.assembly.history.add_parents(new)?;
-                    joint.sides = [strip.a.vertices, strip.b.vertices];
+                    joint.sides = order.given_rims(&mut strip);
                     joint.vertices = attached.vertices;
                     joint.faces = attached.faces;
                     joint.intersections = checked.intersections;
@@ -279,7 +284,7 @@ fn join_facing_loops(
 /// intersections are avoided, and that are not blends, are compared with a blend.
 fn does_blend_avoid_cuts(
     mesh: &Mesh,
-    [a, mut b]: [Rim; 2],
+    [a, b]: [Rim; 2],
     existing: &ExistingEdges,
     unit: f64,
     options: &stitch::Options,
@@ -288,7 +293,6 @@ fn does_blend_avoid_cuts(
     if options.finish == Finish::Blend || options.intersections != Intersections::Auto {
         return Ok(false);
     }
-    b.reverse();
     let options = stitch::Options { finish: Finish::Blend, ..*options };
     let mut strip = match Strip::build(a, b, existing, &options.strip_options(), || 1.0, job) {
         Err(Error::NoStrip { .. }) => return Ok(false),

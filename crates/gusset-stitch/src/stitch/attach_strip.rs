@@ -1,12 +1,13 @@
 //! Attachment of one strip between two rims to the combined mesh.
 
-use super::combine::{append_strip, strip_as_mesh};
+use super::combine::{append_strip, strips_as_mesh};
 use super::existing_edges::ExistingEdges;
 use super::fair_and_check::{CheckedStrip, fair_and_check};
 use super::meridian::MeridianEnds;
+use super::rim_order::RimOrder;
 use super::stitch_request::Options;
 use super::stitch_rim::Rim;
-use super::strip::Strip;
+use super::strip::{RimParents, Strip};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -37,6 +38,10 @@ pub(super) fn attach_strip(
     job: &Job<'_>,
 ) -> Result<AttachedStrips> {
     let mean_side = || whole.mean_side_length() / unit;
+    // A twist, and the existing edges, are counted from rim A.
+    let has_order = options.twist == 0 && existing.is_empty();
+    let order = if has_order { RimOrder::new(&a, &b) } else { RimOrder::GIVEN };
+    let [a, b] = order.sort_rims([a, b]);
     let mut strip = Strip::build(a, b, existing, options, mean_side, &job.sub_job(0.0, 0.57))?;
     if strip.meridians.iter().any(|&[i, j]| strip.a.point(i) == strip.b.point(j)) {
         job.note("the rims have points in common that were not merged, so faces of the strip have no area");
@@ -46,11 +51,16 @@ pub(super) fn attach_strip(
     let attached = append_strip(whole, &strip, unit)?;
 
     let name = |v: u32| attached.mesh_vertex_of_strip_vertex[v as usize];
-    let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
-    let parents = alloc::collect(strip.parents.iter().map(|parents| parents.vertices.map(name)))?;
-    let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
-    let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
-    let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let strip = strip_as_mesh(whole, strip, &attached.mesh_vertex_of_strip_vertex)?;
+    let matrix = order.given_matrix(alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?);
+    let (meridians, closed) = (order.given_meridians(&strip)?, strip.a.closed);
+    let is_in_rows = strip.grid.row_count() > 0;
+    let parents_and_weights = |parents: &RimParents| {
+        let vertices = parents.vertices.map(name);
+        if is_in_rows { order.given_parents(vertices, parents.weights) } else { (vertices, parents.weights) }
+    };
+    let parents = alloc::collect(strip.parents.iter().map(|parents| parents_and_weights(parents).0))?;
+    let weights = alloc::collect(strip.parents.iter().map(|parents| parents_and_weights(parents).1))?;
+    let rims = order.given_rims(&mut strip);
+    let strip = strips_as_mesh(whole, rims.each_ref(), attached.vertices.start, attached.faces.start)?;
     Ok(AttachedStrips { strip, faces: attached.faces, rims, closed, meridians, matrix, parents, weights, checked })
 }

@@ -64,10 +64,24 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
     })
 }
 
-/// Returns the strip as a separate mesh. Its vertex v is `names[v]` of `whole`.
-pub(super) fn strip_as_mesh(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
-    let faces = strip.faces;
-    Ok(Mesh::new(whole.positions.select_vertices(names)?, faces.offsets, faces.corners))
+/// Returns the faces from `first_face` on as a separate mesh: the vertices of rim A in order, those
+/// of rim B, and the vertices from `first_vertex` on. Faces name a common point by its place on A.
+pub(super) fn strips_as_mesh(whole: &Mesh, [a, b]: [&Vec<u32>; 2], first_vertex: u32, first_face: u32) -> Result<Mesh> {
+    let mut places = alloc::gather(a.iter().chain(b).copied().zip(0u32..))?;
+    places.sort_unstable();
+    places.dedup_by_key(|&mut (v, _)| v);
+    let rims = (a.len() + b.len()) as u32;
+    let place = |v: u32| match v.checked_sub(first_vertex) {
+        Some(new) => rims + new,
+        None => places.binary_search_by_key(&v, |&(v, _)| v).map_or(0, |at| places[at].1),
+    };
+    let start = whole.face_offsets[first_face as usize];
+    let corners = alloc::collect(whole.face_corners[start as usize..].iter().map(|&v| place(v)))?;
+    let offsets = alloc::collect(whole.face_offsets[first_face as usize..].iter().map(|offset| offset - start))?;
+    let mut names = alloc::with_capacity(rims as usize + whole.positions.len() - first_vertex as usize)?;
+    names.extend(a.iter().chain(b));
+    names.extend(first_vertex..whole.positions.len() as u32);
+    Ok(Mesh::new(whole.positions.select_vertices(&names)?, offsets, corners))
 }
 
 /// Returns the faces from `first` as a separate mesh, with the vertices that they use in ascending

@@ -25,6 +25,13 @@ impl ExistingEdges {
         ExistingEdges { edges, ends_without_fan: [false; 2] }
     }
 
+    /// Returns the edges from rim B to rim A.
+    pub(super) fn transposed(self) -> Result<Self> {
+        let mut edges = alloc::collect(self.edges.iter().map(|&(u, v)| (v, u)))?;
+        edges.sort_unstable();
+        Ok(ExistingEdges { edges, ..self })
+    }
+
     /// Excludes fans at the ends of rim A: only one meridian meets the first vertex, or the last.
     pub(super) fn without_fans(self, ends: [bool; 2]) -> Self {
         ExistingEdges { ends_without_fan: ends, ..self }

@@ -29,6 +29,7 @@
 //! | [`strip_blend`](self) | finer triangles on a smooth surface in place of the strip |
 //! | [`guide_curves`](self) | the surface that a blend follows across a wide gap |
 //! | [`strip_neighbourhood`](self) | the faces around a strip |
+//! | [`rim_order`](self) | the order of both rims, whatever the order of the pieces |
 //! | [`ruled`](self) | a strip between polylines without meshes |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
 //! | [`quality`](self) | quality measures of the result |
@@ -52,6 +53,7 @@ pub mod meridian;
 mod strip_neighbourhood;
 pub mod polyline;
 mod quality;
+pub mod rim_order;
 mod ruled;
 mod section_strips;
 pub mod sense;

@@ -9,7 +9,7 @@
 //! might repeat an edge of a piece, or of another section.
 
 use super::attach_strip::AttachedStrips;
-use super::combine::append_strip;
+use super::combine::{append_strip, strips_as_mesh};
 use super::existing_edges::ExistingEdges;
 use super::fair_and_check::{CheckedStrip, fair_and_check};
 use super::meridian::{MeridianEnds, Meridians};
@@ -239,24 +239,4 @@ impl RimEdges {
         let has_inner_vertices = section.edges.iter().all(|&edges| edges > 1);
         Ok(ExistingEdges::from_edges(edges).without_fans(common.map(|end| end && has_inner_vertices)))
     }
-}
-
-/// Returns the faces from `first_face` on as a separate mesh: the vertices of rim A in order, those
-/// of rim B, and the vertices from `first_vertex` on. Faces name a common point by its place on A.
-fn strips_as_mesh(whole: &Mesh, [a, b]: [&[u32]; 2], first_vertex: u32, first_face: u32) -> Result<Mesh> {
-    let mut places = alloc::gather(a.iter().chain(b).copied().zip(0u32..))?;
-    places.sort_unstable();
-    places.dedup_by_key(|&mut (v, _)| v);
-    let rims = (a.len() + b.len()) as u32;
-    let place = |v: u32| match v.checked_sub(first_vertex) {
-        Some(new) => rims + new,
-        None => places.binary_search_by_key(&v, |&(v, _)| v).map_or(0, |at| places[at].1),
-    };
-    let start = whole.face_offsets[first_face as usize];
-    let corners = alloc::collect(whole.face_corners[start as usize..].iter().map(|&v| place(v)))?;
-    let offsets = alloc::collect(whole.face_offsets[first_face as usize..].iter().map(|offset| offset - start))?;
-    let mut names = alloc::with_capacity(rims as usize + whole.positions.len() - first_vertex as usize)?;
-    names.extend(a.iter().chain(b));
-    names.extend(first_vertex..whole.positions.len() as u32);
-    Ok(Mesh::new(whole.positions.select_vertices(&names)?, offsets, corners))
 }

@@ -130,6 +130,11 @@ impl Rim {
         self.points[i as usize % self.points.len()]
     }
 
+    /// Returns the sum of the edge lengths.
+    pub(super) fn length(&self) -> f64 {
+        (0..self.segment_count()).map(|k| self.point(k).distance(self.point(k + 1))).sum()
+    }
+
     /// Returns the positions of all places, and for a loop the first again at the end.
     pub(super) fn closed_points(&self) -> Result<Vec<DVec3>> {
         alloc::collect((0..self.segment_count() as usize + 1).map(|i| self.point(i as u32)))

@@ -104,16 +104,20 @@ fn old_ring_of_strip(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> R
     let rims = strip.a.vertices.iter().chain(&strip.b.vertices);
     let mut names = alloc::gather(rims.clone().copied())?;
     let rim = names.len();
-    let mut others = alloc::gather(old.as_flattened().iter().copied().filter(|&v| !around.rim.contains(v)))?;
-    sort_distinct(&mut others);
     let mut on_rim = alloc::gather(rims.zip(0u32..).map(|(&v, k)| (v, k)))?;
     on_rim.sort_unstable();
-    let number = |v: u32| match on_rim.binary_search_by_key(&v, |&(v, _)| v) {
-        Ok(at) => on_rim[at].1,
-        Err(_) => (rim + others.partition_point(|&other| other < v)) as u32,
-    };
-    let triangles = alloc::collect(old.iter().map(|triangle| triangle.map(number)))?;
-    alloc::append(&mut names, &others)?;
+    let number_on_rim = |v: u32| on_rim.binary_search_by_key(&v, |&(v, _)| v).ok().map(|at| on_rim[at].1);
+    // The triangles at rim A come first, whatever the order of the pieces in the mesh.
+    let is_at_a = |v: u32| number_on_rim(v).is_some_and(|k| (k as usize) < strip.a.vertices.len());
+    let has_corner_on_a = |corners: &[u32; 3]| corners.iter().any(|&v| is_at_a(v));
+    let mut beside = alloc::gather(old.iter().copied().filter(has_corner_on_a))?;
+    alloc::extend(&mut beside, old.iter().copied().filter(|corners| !has_corner_on_a(corners)))?;
+    let others = numbers_in_order(beside.as_flattened().iter().copied().filter(|&v| !around.rim.contains(v)), rim)?;
+    let number = |v: u32| number_on_rim(v).unwrap_or_else(|| others[others.partition_point(|&(other, _)| other < v)].1);
+    let triangles = alloc::collect(beside.iter().map(|triangle| triangle.map(number)))?;
+    let mut by_number = alloc::copied(&others)?;
+    by_number.sort_unstable_by_key(|&(_, k)| k);
+    alloc::extend(&mut names, by_number.iter().map(|&(v, _)| v))?;
     let origin = strip.a.points[0];
     let points = alloc::collect(names.iter().map(|&v| around.position(v) - origin))?;
 
@@ -144,4 +148,16 @@ fn old_ring_of_strip(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> R
         },
         edges,
     ))
+}
+
+/// Numbers vertices from `first` on, in the order of their first occurrence. Returns pairs of vertex
+/// and number, ascending by vertex.
+fn numbers_in_order(vertices: impl Iterator<Item = u32> + Clone, first: usize) -> Result<Vec<(u32, u32)>> {
+    let mut found = alloc::gather(vertices.zip(0u32..))?;
+    found.sort_unstable();
+    found.dedup_by_key(|&mut (v, _)| v);
+    found.sort_unstable_by_key(|&(_, place)| place);
+    found.iter_mut().zip(first as u32..).for_each(|((_, place), number)| *place = number);
+    found.sort_unstable();
+    Ok(found)
 }
