@@ -16,6 +16,10 @@ pub enum Start<'a> {
     /// Matching rims, for pieces of one surface that was cut or broken. [`Overlap`] then describes
     /// the rims.
     Rims,
+    /// Similar features of the surfaces, for overlapping pieces in any positions. The given
+    /// positions do not matter. A piece does not move if its pose is uncertain, and is then
+    /// [`Reason::Undetermined`].
+    Features,
 }
 
 /// Options of [`align`](super::align()).
@@ -43,6 +47,8 @@ pub enum Reason {
     /// Too much of the piece lies off the pieces that it overlaps.
     PoorFit,
     /// The overlaps leave the piece free to slide or turn, as between planes, spheres or cylinders.
+    /// With [`Start::Features`] also: no pose is certain, because the piece overlaps too little or
+    /// fits in several ways.
     Undetermined,
     /// Most of the overlapping surface faces the opposite side: the piece is inside out, or
     /// mirrored.

@@ -4,6 +4,7 @@ use super::align_request::{Aligned, Alignment, Options, Reason, Start};
 use super::alignment_scene::AlignmentScene;
 use super::assess::{MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, assess_alignment};
 use super::centred_piece::CentredPiece;
+use super::free_start::find_poses_by_surface_features;
 use super::pose::Pose;
 use super::principal_axes::align_each_piece_by_principal_axes;
 use super::rim_features::align_matching_rims;
@@ -22,6 +23,8 @@ const DEFAULT_SAMPLES_PER_PIECE: u32 = 2000;
 const DEFAULT_MAX_ROUNDS: u32 = 100;
 /// Default limit on the distance of pairs, relative to the diagonal of the largest piece's box.
 const DEFAULT_RELATIVE_REACH: f64 = 0.1;
+/// Smallest default limit on the distance of pairs after a search, in the spacing of the coarsest piece.
+const MIN_REACH_SPACINGS: f64 = 2.0;
 /// Largest deviation of a pose from a rotation.
 const MAX_POSE_SKEW: f64 = 1e-6;
 
@@ -80,7 +83,8 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         samples: &samples[k],
         rim: rims.get(k).zip(rim_trees.get(k)),
     }))?;
-    let scene = AlignmentScene { sampled_pieces: members, max_pair_distance: reach };
+    let is_left_out = alloc::filled(false, pieces.len())?;
+    let mut scene = AlignmentScene { sampled_pieces: members, max_pair_distance: reach, is_left_out };
 
     // Positions are relative to the centre of their own piece, and poses to the centre of the first
     // piece, to keep precision far from the origin.
@@ -94,12 +98,26 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         }))?,
         Start::PrincipalAxes => align_each_piece_by_principal_axes(&scene, &started)?,
         Start::Rims => align_matching_rims(&scene, &started)?,
+        Start::Features => {
+            let found = find_poses_by_surface_features(pieces, &scene, &started)?;
+            let coarsest = scans.iter().map(|scan| scan.spacing).fold(0.0, f64::max);
+            scene.max_pair_distance = reach.min(found.spacing.max(MIN_REACH_SPACINGS * coarsest));
+            scene.is_left_out = alloc::collect(found.poses.iter().map(Option::is_none))?;
+            let given = scans.iter().map(|scan| translation_pose(scan.centre - origin));
+            alloc::collect(found.poses.iter().zip(given).map(|(pose, given)| pose.unwrap_or(given)))?
+        }
     };
     let rounds = if options.max_rounds == 0 { DEFAULT_MAX_ROUNDS } else { options.max_rounds };
     let (rounds, converged) = scene.relax_poses(&mut poses, rounds, &job.sub_job(0.4, 0.9))?;
     let reports =
         scene.search_near_pieces_within(&poses, MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, &job.sub_job(0.9, 1.0))?;
-    let (overlaps, known) = assess_alignment(&scene.sampled_pieces, &reports, unit)?;
+    let (overlaps, mut known) = assess_alignment(&scene.sampled_pieces, &reports, unit)?;
+    for (k, (reason, _)) in known.iter_mut().enumerate() {
+        // A piece without faces cannot overlap.
+        if scene.is_left_out[k] && !scans[k].vertices_with_normal.is_empty() {
+            *reason = Reason::Undetermined;
+        }
+    }
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
         // Rounding must not move a piece that stays.
         if *pose == translation_pose(scan.centre - origin) {

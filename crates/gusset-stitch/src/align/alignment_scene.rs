@@ -17,6 +17,8 @@ pub(super) struct AlignmentScene<'a> {
     pub(super) sampled_pieces: Vec<SampledPiece<'a>>,
     /// The largest distance of a pair of points.
     pub(super) max_pair_distance: f64,
+    /// The pieces whose poses are unknown, which do not take part.
+    pub(super) is_left_out: Vec<bool>,
 }
 
 /// A search for the samples of one piece on another, up to a distance.
@@ -32,6 +34,7 @@ impl<'a> AlignmentScene<'a> {
         Ok(AlignmentScene {
             sampled_pieces: alloc::collect([i, k].map(|k| self.sampled_pieces[k]).into_iter())?,
             max_pair_distance: self.max_pair_distance,
+            is_left_out: alloc::filled(false, 2)?,
         })
     }
 
@@ -47,7 +50,8 @@ impl<'a> AlignmentScene<'a> {
     /// Returns the searches between pieces that are near enough, in both directions.
     pub(super) fn list_searches_of_near_pieces(&self, poses: &[Pose]) -> Result<Vec<PieceSearch>> {
         let bounds = |k: usize| &self.sampled_pieces[k].scan.bounds;
-        let is_there = |k: usize| !self.sampled_pieces[k].scan.vertices_with_normal.is_empty();
+        let has_faces = |k: usize| !self.sampled_pieces[k].scan.vertices_with_normal.is_empty();
+        let is_there = |k: usize| has_faces(k) && !self.is_left_out[k];
         let is_near = |[i, k]: [usize; 2]| {
             let [p, q] = [i, k].map(|k| poses[k].transform_point(bounds(k).centre()));
             p.distance(q) <= (bounds(i).diagonal() + bounds(k).diagonal()) / 2.0 + self.max_pair_distance

@@ -42,6 +42,13 @@
 
 mod align_request;
 mod align_run;
+mod consistent_matches;
+mod free_start;
+mod surface_features;
+mod surface_matches;
+mod surface_pair;
+mod surface_pose;
+mod surface_samples;
 mod rim_sample_pairs;
 mod principal_axes;
 mod hold_stiffness;
