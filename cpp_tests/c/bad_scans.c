@@ -103,9 +103,9 @@ static void alignment_arguments(void) {
     for (options.struct_size = 0; options.struct_size < sizeof options; ++options.struct_size) {
         FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, align(pieces, 2, &options, &done));
     }
-    options.start = 3;
+    options.start = 4;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, align(pieces, 2, &options, &done));
-    CHECK(reported_value() == 3.0);
+    CHECK(reported_value() == 4.0);
     options.start = UINT32_MAX;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, align(pieces, 2, &options, &done));
     options.start = 0, options.reserved = 1;

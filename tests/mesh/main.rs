@@ -5,6 +5,7 @@ mod common;
 
 mod adversarial;
 mod align;
+mod align_features;
 mod answers;
 mod arrange;
 mod assemble;

@@ -19,7 +19,8 @@ pub(super) const FILTER: Filter = Filter {
            translation. Normals that vertices carry keep their directions.",
     reference: "P. Besl, N. McKay, A method for registration of 3-D shapes (1992); Y. Chen, G. Medioni, Object modelling by \
                 registration of multiple range images (1992); P. Neugebauer, Reconstruction of real-world objects via \
-                simultaneous registration (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019)",
+                simultaneous registration (1997); R. Rusu, N. Blodow, M. Beetz, Fast point feature histograms (2009); S. Rusinkiewicz, A symmetric objective \
+                function for ICP (2019); Z. Chen, K. Sun, F. Yang, W. Tao, SC2-PCR (2022)",
     max_inputs: 1 << 16,
     has_origins: true,
     ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
@@ -52,6 +53,9 @@ choices! {
             "The principal axes of each piece are placed on the axes of the first, for pieces that each show the whole object.";
         Start::Rims => "Rims",
             "Rims of the same course are placed on each other, for pieces of one cut or broken surface. They need not overlap.";
+        Start::Features => "Features",
+            "Surfaces of the same shape are placed on each other, for overlapping pieces in any positions. A piece whose place \
+             is not certain stays where it lies.";
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
@@ -75,7 +79,7 @@ pub(super) fn explain_untrusted_pose(reason: Reason) -> &'static str {
         Reason::Trusted => "",
         Reason::NoOverlap => "it overlaps no other piece, or too little of one",
         Reason::PoorFit => "too many of its points lie off the pieces near it",
-        Reason::Undetermined => "its overlaps let it slide or rotate",
+        Reason::Undetermined => "its overlaps let it slide or rotate, or fit in several ways",
         Reason::FacesOtherWay => "it faces the opposite way to the pieces that it overlaps",
         Reason::OtherSize => "its unit of length seems to differ",
         Reason::TrustedByNone => "it fits only pieces that are not trusted",

@@ -45,7 +45,7 @@ fn arrays(mesh: &MeshView<'_>) -> (Vec<u32>, Vec<u32>) {
 }
 
 fn aligned(pieces: &[MeshView<'_>], [_, flags, choice]: [u8; 3]) {
-    let start = [Start::AsGiven, Start::PrincipalAxes, Start::Rims][usize::from(flags) % 3];
+    let start = [Start::AsGiven, Start::PrincipalAxes, Start::Rims, Start::Features][usize::from(flags) % 4];
     let options = align::Options { start, max_rounds: 10, ..align::Options::default() };
     let Ok(found) = agreed(choice, |job| align(pieces, &options, job)) else { return };
     assert_eq!(found.pieces.len(), pieces.len());

@@ -1,7 +1,8 @@
 //! Alignment: Finds rigid poses at which pieces fit.
 //!
 //! @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
-//!     P. Neugebauer (1997); S. Rusinkiewicz (2019).
+//!     P. Neugebauer (1997); R. Rusu, N. Blodow, M. Beetz (2009); S. Rusinkiewicz (2019); Z. Chen et
+//!     al. (2022).
 
 use crate::align::{Aligned, Alignment, Options, Overlap, Pose, Reason, Start, align};
 use crate::capi::context::{create_handle, gusset_context, lend};
@@ -25,6 +26,9 @@ pub const GUSSET_ALIGN_PRINCIPAL_AXES: gusset_alignment_start = 1;
 /// Rims of like shape put together, which then hold the pieces. For parts of a cut or broken
 /// surface without overlap.
 pub const GUSSET_ALIGN_RIMS: gusset_alignment_start = 2;
+/// Like features of the surfaces put together, for overlapping pieces in any poses. A piece stays
+/// if its pose is uncertain, with the verdict GUSSET_ALIGNED_UNDETERMINED.
+pub const GUSSET_ALIGN_FEATURES: gusset_alignment_start = 3;
 
 /// Verdict on the pose of a piece.
 pub type gusset_aligned_reason = u32;
@@ -35,7 +39,8 @@ pub const GUSSET_ALIGNED_TRUSTED: gusset_aligned_reason = 0;
 pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
 /// Too much of the piece near others is off their surfaces.
 pub const GUSSET_ALIGNED_POOR_FIT: gusset_aligned_reason = 2;
-/// Up to the noise of normals, the piece is free to slide or turn.
+/// Up to the noise of normals, the piece is free to slide or turn. With GUSSET_ALIGN_FEATURES also:
+/// the piece overlaps too little, or fits in several ways.
 pub const GUSSET_ALIGNED_UNDETERMINED: gusset_aligned_reason = 3;
 /// Most of the overlap has opposite normals: the piece is inside out or mirrored.
 pub const GUSSET_ALIGNED_FACES_OTHER_WAY: gusset_aligned_reason = 4;
@@ -203,6 +208,7 @@ impl gusset_alignment {
 ///     by index), COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
 /// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds
 ///     O(samples log V) a piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces.
+///     GUSSET_ALIGN_FEATURES: O(F) and at most about 2,000^2 for two pieces.
 /// @source Besl and McKay 1992; Chen and Medioni 1992; Turk and Levoy 1994; Neugebauer 1997;
 ///     Rusinkiewicz 2019.
 #[unsafe(no_mangle)]
@@ -222,11 +228,17 @@ pub unsafe extern "C" fn gusset_alignment_create(
             GUSSET_ALIGN_AS_GIVEN => Start::Poses(&poses),
             GUSSET_ALIGN_PRINCIPAL_AXES => Start::PrincipalAxes,
             GUSSET_ALIGN_RIMS => Start::Rims,
+            GUSSET_ALIGN_FEATURES => Start::Features,
             other => {
                 return Err(Failure::unknown_choice(
                     "start",
                     other,
-                    &constants![GUSSET_ALIGN_AS_GIVEN, GUSSET_ALIGN_PRINCIPAL_AXES, GUSSET_ALIGN_RIMS],
+                    &constants![
+                        GUSSET_ALIGN_AS_GIVEN,
+                        GUSSET_ALIGN_PRINCIPAL_AXES,
+                        GUSSET_ALIGN_RIMS,
+                        GUSSET_ALIGN_FEATURES
+                    ],
                 ));
             }
         };

@@ -11,6 +11,10 @@
 //! * P. Neugebauer, *Reconstruction of real-world objects via simultaneous registration* (1997),
 //!   for one system of all pieces, so that errors do not accumulate around a ring.
 //!
+//! * R. Rusu, N. Blodow and M. Beetz, *Fast point feature histograms (FPFH) for 3D registration*
+//!   (2009), and Z. Chen, K. Sun, F. Yang and W. Tao, *SC2-PCR: a second order spatial compatibility
+//!   for efficient and robust point cloud registration* (2022), for poses without a start.
+//!
 //! Each round finds the points of every piece's neighbours that are nearest to its samples. Let
 //! piece i move by a small rotation w_i about its centre g_i and a translation u_i. The distance of
 //! a pair x_i, x_j along its normal n then changes to
@@ -36,6 +40,13 @@
 //! | [`relax_poses`](self) | the rounds |
 //! | [`principal_axes`](self) | an initial alignment by principal axes |
 //! | [`rim_features`](self) | an initial alignment by features of rims |
+//! | [`surface_samples`](self) | a piece's surface as points at equal spacing |
+//! | [`surface_features`](self) | histograms of angles around samples |
+//! | [`surface_matches`](self) | samples of two pieces with similar features |
+//! | [`consistent_matches`](self) | sets of matches that one motion explains |
+//! | [`surface_pose`](self) | how well one surface fits another in a pose |
+//! | [`surface_pair`](self) | the pose of one piece on another, and its certificate |
+//! | [`free_start`](self) | an initial alignment by features of surfaces |
 //! | [`assess`](self) | the assessment of pairs and pieces |
 //! | [`align_run`](self) | all steps in order |
 //! | [`moved_mesh`](self) | the aligned pieces, in one mesh and as views |
