@@ -98,6 +98,9 @@ class Transform(Structure):
     _fields_ = [("rows", c_double * 12)]
 
 
+ALIGN_FEATURES = 3
+
+
 class AlignmentOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("start", c_uint32), ("samples", c_uint32), ("poses", POINTER(Transform)),
@@ -357,15 +360,26 @@ class Library:
 
     def aligned(self, pieces, poses):
         """The poses that pieces belong in, from poses near them; matrices 4 x 4."""
-        views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
-        options, address, parts = sized(AlignmentOptions), c_void_p(), sized(AlignmentParts)
+        options = sized(AlignmentOptions)
         given = (Transform * len(poses))(*(Transform((c_double * 12)(*pose[:3].ravel())) for pose in poses))
         options.poses, options.pose_count = given, len(poses)
+        return self._aligned(pieces, options)[0]
+
+    def aligned_freely(self, pieces):
+        """The poses of pieces that lie anywhere, and which of them are trusted."""
+        options = sized(AlignmentOptions)
+        options.start = ALIGN_FEATURES
+        return self._aligned(pieces, options)
+
+    def _aligned(self, pieces, options):
+        views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
+        address, parts = c_void_p(), sized(AlignmentParts)
         self._check(self.c.gusset_alignment_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
         made = Handle(self.c, "gusset_alignment_destroy", address)
         self._check(self.c.gusset_alignment_get_view(made.address, byref(parts)))
         rows = [np.array(parts.pieces[k].pose.rows[:]).reshape(3, 4) for k in range(parts.piece_count)]
-        return [np.vstack([own, [0, 0, 0, 1]]) for own in rows]
+        is_trusted = [parts.pieces[k].reason == 0 for k in range(parts.piece_count)]
+        return [np.vstack([own, [0, 0, 0, 1]]) for own in rows], is_trusted
 
     def net_triangles(self, grid, max_edge_ratio):
         """The triangles of a range image H x W x 3, NaN where nothing was seen, without steps: points and faces."""

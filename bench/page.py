@@ -97,7 +97,10 @@ medians, from arrays to arrays. `volume_difference`: the largest relative differ
 
 The ten views of the Stanford bunny at their published poses, each but the first disturbed by 3 degrees and 3 % of the size, 20 times.
 `recovered`: the share of seeds in which every view is found again within 0.5 degrees and 0.5 % of the size of its published pose.
-`meshlib` is MultiwayICP, point to plane, a sample each 2 mm; `trueform` aligns two clouds: each view to all before it.""",
+`meshlib` is MultiwayICP, point to plane, a sample each 2 mm; `trueform` aligns two clouds: each view to all before it.
+
+`free-bunny`: each view rotated and moved at random, 100 times, without a start. `wrong`: the share of seeds with a trusted view that is not
+at its place. `open3d` registers every two views by FPFH features and RANSAC, then by ICP; the pairs with the most inliers place the views.""",
     "trim": """## Scans joined
 
 The ten views at their published poses; in metres, root mean square both ways between the result and the reference model, whose base

@@ -1,6 +1,7 @@
 """The ten views of the bunny: `make bench ONLY=align` and `ONLY=trim`. Range images become meshes by the library. Alignment: all
 poses except the first are disturbed by 3 degrees and 3 % of the size. A seed counts as recovered if every view returns to its
-published pose within 0.5 degrees and 0.5 % of the size. Joining: views at the published poses are trimmed, joined and filled. The
+published pose within 0.5 degrees and 0.5 % of the size. Free alignment: all views are rotated and moved at random, and no start
+is given. Joining: views at the published poses are trimmed, joined and filled. The
 peer is MeshLib's fusion by voxels with as many faces. The judge measures distances from the reference model, and counts
 intersections."""
 
@@ -14,13 +15,15 @@ import numpy as np
 
 import meshes
 import meshlib_peer
+import open3d_peer
 import trueform_peer
 import truth
 from meshes import Mesh
 
 DATA = Path(os.environ.get("GUSSET_DATA", "../shared/data"))
-ROWS = "align/bunny/meshlib", "align/bunny/trueform", "trim/bunny/meshlib"
+ROWS = "align/bunny/meshlib", "align/bunny/trueform", "trim/bunny/meshlib", "align/free-bunny/open3d"
 SEEDS = 20
+FREE_SEEDS = 100
 DEGREES, PART = 3.0, 0.03
 NEAR_DEGREES, NEAR_PART = 0.5, 0.005
 # Longer edges, in medians, are steps from one surface to another behind it.
@@ -48,6 +51,8 @@ def run(library, report, tools, folder, only):
     views, poses = bunny(library)
     if any(only in row for row in ROWS[:2]):
         align(library, report, views, poses, only)
+    if only in ROWS[3]:
+        align_freely(library, report, views, poses)
     if only in ROWS[2]:
         trim(library, report, views, poses, tools, folder)
 
@@ -168,6 +173,46 @@ def align(library, report, views, poses, only):
             quality["peer_failed"] = failed[name][0]
         theirs = statistics.median(times[name]) if times[name] else None
         report.add("align/bunny", name, statistics.median(times["gusset"]), theirs, quality)
+
+
+def scattered(views, poses, size, seed):
+    """The views, each rotated and moved at random, and the poses that take them to the places of the first."""
+    random = np.random.default_rng(seed)
+    moved, back = [], []
+    for view, pose in zip(views, poses):
+        by = np.eye(4)
+        by[:3, :3] = turn(direction(random), np.pi * random.random()) @ turn(direction(random), np.pi * random.random())
+        by[:3, 3] = size * random.normal(size=3)
+        moved.append(View(view.points @ by[:3, :3].T + by[:3, 3], view.faces, view.normals @ by[:3, :3].T))
+        back.append(pose @ np.linalg.inv(by))
+    return moved, [np.linalg.inv(back[0]) @ pose for pose in back]
+
+
+def align_freely(library, report, views, poses):
+    """`wrong`: the seeds in which a view is trusted that is not at its place. The peer says nothing about trust."""
+    size = size_of(views, poses)
+    contenders = {"gusset": library.aligned_freely, "open3d": lambda moved: (open3d_peer.aligned_freely(moved), None)}
+    times, right, failed = ({name: [] for name in contenders} for _ in range(3))
+    wrong = 0
+    for seed in range(FREE_SEEDS):
+        moved, truth_poses = scattered(views, poses, size, seed)
+        for name, contender in contenders.items():
+            began = time.perf_counter()
+            try:
+                found, is_trusted = contender(moved)
+            except Exception as error:  # Whatever a peer throws is its result.
+                failed[name].append(f"{type(error).__name__}: {error}")
+                continue
+            times[name].append(1000 * (time.perf_counter() - began))
+            is_right = [is_recovered([v], [p], [f], size) for v, p, f in zip(moved, truth_poses, found)]
+            right[name].append(all(is_right))
+            wrong += is_trusted is not None and any(t and not r for t, r in zip(is_trusted, is_right))
+    quality = {"recovered": sum(right["gusset"]) / FREE_SEEDS, "peer_recovered": sum(right["open3d"]) / FREE_SEEDS,
+               "wrong": wrong / FREE_SEEDS, "seeds": FREE_SEEDS}
+    if failed["open3d"]:
+        quality["peer_failed"] = failed["open3d"][0]
+    theirs = statistics.median(times["open3d"]) if times["open3d"] else None
+    report.add("align/free-bunny", "open3d", statistics.median(times["gusset"]), theirs, quality)
 
 
 def trim(library, report, views, poses, tools, folder):

@@ -15,12 +15,12 @@ cmake -S cpp_tests/bench -B build/bench -DGUSSET_PREFIX="$stage" >build/bench.lo
 
 venv=build/bench-peers
 if ! cmp -s bench/pins.txt "$venv/pins.txt"; then
-  echo "gusset: about to install from PyPI into $venv, with their pinned versions: numpy matplotlib fonttools scipy trimesh meshlib trueform vtk pyvista DracoPy pymeshfix pymeshlab manifold3d bpy"
+  echo "gusset: about to install from PyPI into $venv, with their pinned versions: numpy matplotlib fonttools scipy trimesh meshlib trueform open3d-cpu vtk pyvista DracoPy pymeshfix pymeshlab manifold3d bpy"
   rm -rf "$venv"
   python3 -m venv "$venv"
   peers() { "$venv/bin/pip" install -q --disable-pip-version-check --only-binary :all: -c bench/pins.txt "$@" >>"$venv/log" 2>&1; }
   peers numpy matplotlib fonttools || { tail -n 5 "$venv/log"; exit 1; }
-  for peer in scipy trimesh meshlib trueform vtk pyvista DracoPy pymeshfix pymeshlab manifold3d bpy; do
+  for peer in scipy trimesh meshlib trueform open3d-cpu vtk pyvista DracoPy pymeshfix pymeshlab manifold3d bpy; do
     peers "$peer" || echo "gusset: $peer cannot be installed for $(python3 --version), and will be reported as absent: $venv/log"
   done
   cp bench/pins.txt "$venv/pins.txt"

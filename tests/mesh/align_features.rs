@@ -149,8 +149,8 @@ fn views_without_overlap_are_undetermined() {
     }
 }
 
-/// The numbers of threads, and the unit, change nothing. A cancel at any report is heard. Pieces
-/// without area are no overlap.
+/// The number of threads and the unit change nothing. A cancel at any report is heard. Pieces
+/// without area do not overlap.
 #[test]
 fn a_search_is_deterministic_and_stops() {
     let mut random = fastrand::Rng::with_seed(1);

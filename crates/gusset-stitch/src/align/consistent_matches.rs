@@ -166,3 +166,45 @@ impl MatchedPoints {
         own.into_iter().zip(theirs).all(|(a, b)| (a - b).abs() <= MAX_COSINE_DIFFERENCE)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::align::pose::Pose;
+    use crate::align::surface_pose::fit_matches;
+
+    fn vector(random: &mut fastrand::Rng) -> DVec3 {
+        DVec3::new(random.f64(), random.f64(), random.f64()) * 2.0 - 1.0
+    }
+
+    /// 30 correct matches among 600: the first set contains correct matches only, and gives the
+    /// motion back. The next set shares none with it.
+    #[test]
+    fn a_set_contains_the_matches_of_one_motion() {
+        for seed in 0..20 {
+            let mut random = fastrand::Rng::with_seed(seed);
+            let truth = Pose::rotation_about(vector(&mut random), 3.0 * vector(&mut random), vector(&mut random));
+            let [mut fixed, mut moved] = [OrientedPoints::default(), OrientedPoints::default()];
+            for _ in 0..100 {
+                let (point, normal) = (10.0 * vector(&mut random), vector(&mut random).normalize());
+                moved.points.push(point);
+                moved.normals.push(normal);
+                fixed.points.push(truth.transform_point(point));
+                fixed.normals.push(truth.rotate_direction(normal));
+            }
+            let correct = (0..30).map(|k| [k, k]);
+            let wrong = (0..570).map(|_| [random.u32(0..50), random.u32(50..100)]);
+            let matches: Vec<Match> = correct.chain(wrong).collect();
+            let job = Job::default();
+            let mut sets = ConsistentMatches::new([&fixed, &moved], &matches, 0.5, &job).unwrap();
+            let set = sets.next_set().unwrap().unwrap();
+            assert!(set.len() > 15 && set.iter().all(|[i, k]| i == k), "{seed}: {set:?}");
+            let found = fit_matches([&fixed, &moved], &set, 1.0);
+            assert!(found.rotation.abs_diff_eq(truth.rotation, 1e-9), "{seed}");
+            assert!(found.translation.distance(truth.translation) < 1e-8, "{seed}");
+            sets.mark_explained(|[i, k]| i == k);
+            let rest = sets.next_set().unwrap().unwrap_or_default();
+            assert!(rest.iter().all(|[i, k]| i != k), "{seed}: {rest:?}");
+        }
+    }
+}

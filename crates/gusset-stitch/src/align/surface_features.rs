@@ -90,3 +90,40 @@ pub(super) fn feature_distance_squared(a: &SurfaceFeature, b: &SurfaceFeature) -
     }
     lanes.into_iter().sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A saddle z = a x^2 + b y^2 with exact normals, rotated and moved.
+    fn saddle(a: f64, b: f64, rotation: glam::DMat3, shift: DVec3) -> OrientedPoints {
+        let mut patch = OrientedPoints::default();
+        for i in -15..=15 {
+            for j in -15..=15 {
+                let (x, y) = (f64::from(i) / 15.0, f64::from(j) / 15.0);
+                patch.points.push(rotation * DVec3::new(x, y, a * x * x + b * y * y) + shift);
+                patch.normals.push(rotation * DVec3::new(-2.0 * a * x, -2.0 * b * y, 1.0).normalize());
+            }
+        }
+        patch
+    }
+
+    fn middle_feature(patch: &OrientedPoints) -> SurfaceFeature {
+        let job = Job::default();
+        let tree = KdTree::new(&patch.points, &job, STAGE).unwrap();
+        surface_features(patch, patch, &tree, 0.8, &job).unwrap()[patch.points.len() / 2]
+    }
+
+    /// Motions keep a feature; another curvature changes it.
+    #[test]
+    fn features_depend_on_the_shape_and_not_on_the_pose() {
+        let away = glam::DMat3::from_quat(glam::DQuat::from_xyzw(0.1, -0.7, 0.4, 0.3).normalize());
+        let own = middle_feature(&saddle(0.4, -0.2, glam::DMat3::IDENTITY, DVec3::ZERO));
+        let moved = middle_feature(&saddle(0.4, -0.2, away, DVec3::new(3.0, -2.0, 5.0)));
+        let other = middle_feature(&saddle(0.4, 0.2, away, DVec3::ZERO));
+        assert!(feature_distance_squared(&own, &moved) < 1e-6);
+        assert!(feature_distance_squared(&own, &other) > 0.05);
+        // Each of the three histograms has the sum 1.
+        assert!((own.iter().map(|x| x * x).sum::<f32>() - 3.0).abs() < 1e-4);
+    }
+}

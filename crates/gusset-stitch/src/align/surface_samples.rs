@@ -21,6 +21,8 @@ const DENSE_POINTS_PER_AREA: f64 = 9.0;
 const MIN_SAMPLE_DISTANCE: f64 = 0.8;
 /// Radius within which the normal of a sample is a mean, in spacings.
 const NORMAL_RADIUS: f64 = 1.0;
+/// Number of dense points between two progress reports.
+const POINTS_PER_REPORT: usize = 1 << 9;
 /// The fractional parts of the multiples of these numbers fill a square evenly: M. Roberts' R2
 /// sequence.
 const PLASTIC_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
@@ -104,7 +106,7 @@ pub(super) fn choose_sparse_points(
     let mut is_covered = alloc::filled(false, dense.points.len())?;
     let mut sparse = OrientedPoints::default();
     for i in 0..dense.points.len() {
-        job.step_within_list(i, STAGE)?;
+        job.step_every(POINTS_PER_REPORT, i, dense.points.len(), STAGE)?;
         let (point, normal) = (dense.points[i], dense.normals[i]);
         if is_covered[i] || normal == DVec3::ZERO {
             continue;
