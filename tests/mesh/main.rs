@@ -28,6 +28,7 @@ mod facing_sheets;
 mod fill;
 mod islands;
 mod join_report;
+mod lone_pairs;
 mod nesting;
 mod orient;
 mod outwards;

@@ -18,6 +18,9 @@ pub enum MaxGap {
     ///   loop if that is larger. The radius is the mean distance of the vertices from their centre.
     ///   The only two loops, of two pieces, are joined at any distance, unless they lie beside each
     ///   other.
+    /// * Whole loops of two pieces with nobody else near: three times that limit. Among the loops
+    ///   without a partner, each of the two is nearest to three quarters of the other's vertices.
+    ///   They look at each other.
     /// * Runs of loops: half the smaller radius, and at most four edges of the loop with longer
     ///   edges.
     /// * Slits that sewing left between two borders: one mean edge, and half the loop's radius

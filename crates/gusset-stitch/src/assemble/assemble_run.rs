@@ -393,7 +393,11 @@ fn choose_loop_pairs(
         let search = loops.facing_search(options, &taken, excluded);
         let mut seen = alloc::gather(search.unused_slits(wide))?;
         seen.iter().for_each(|facing| taken[facing.rims[0]] = true);
-        alloc::append(&mut seen, &loops.facing_search(options, &taken, excluded).find_facing_loops(job)?)?;
+        let facing = loops.facing_search(options, &taken, excluded).find_facing_loops(&job.sub_job(0.0, 0.8))?;
+        facing.iter().flat_map(|facing| facing.rims).for_each(|r| taken[r] = true);
+        alloc::append(&mut seen, &facing)?;
+        let lone = loops.facing_search(options, &taken, excluded).pair_lone_loops(&job.sub_job(0.8, 1.0))?;
+        alloc::append(&mut seen, &lone)?;
         let first = |found: &FacingLoops| found.arcs.map_or(0, |arcs| arcs[0].first);
         sort::sort_stable(&mut seen, &|x, y| {
             x.mean_gap.total_cmp(&y.mean_gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y)))

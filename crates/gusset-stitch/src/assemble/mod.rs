@@ -11,7 +11,8 @@
 //!    (`unsewn_pairs`).
 //! 4. Loops of different components that face each other across a gap are paired (`facing_loops`).
 //!    Whole loops are paired one to one (`whole_loops`, `assignment`). Arcs are paired where one
-//!    loop is the other's nearest neighbour, as on scans of adjacent parts.
+//!    loop is the other's nearest neighbour, as on scans of adjacent parts. Two loops that are
+//!    left, with nobody else near, are paired across wider gaps (`lone_pairs`).
 //! 5. Components are turned over so that they agree across the gaps (`agreement`).
 //! 6. Each pair is stitched, nearest first ([`stitch`](super)).
 //! 7. The remaining holes are filled on request ([`fill`](crate::fill)).
@@ -34,6 +35,7 @@ mod facing_loops;
 mod given_pair;
 mod origin_history;
 mod left_loops;
+mod lone_pairs;
 mod piece_loops;
 mod report_details;
 mod side_facing;

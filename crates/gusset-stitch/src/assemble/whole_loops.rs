@@ -84,17 +84,26 @@ const SAME_PIECE_GAIN_FACTOR: f64 = 0.5;
 
 /// How one loop sees another.
 #[derive(Clone, Copy)]
-struct FacingMeasures {
+pub(super) struct FacingMeasures {
     /// The mean distance from its vertices to the nearest point of the other loop.
-    mean_gap: f64,
+    pub(super) mean_gap: f64,
     /// The mean cosine between its conormals and the directions to the other loop.
-    mean_facing_cosine: f64,
+    pub(super) mean_facing_cosine: f64,
     /// True if its nearest points wind once around the other loop.
     winds_around: bool,
     /// True if its distances are similar, or its nearest points wind once around the other loop.
     winds_around_or_is_parallel: bool,
     /// True if it lies beside the other loop.
     lies_beside: bool,
+}
+
+impl FacingMeasures {
+    /// Returns true if two loops look at each other; `back` is how the other loop sees this one.
+    pub(super) fn are_mutual(&self, back: &FacingMeasures) -> bool {
+        self.mean_facing_cosine.min(back.mean_facing_cosine) >= MIN_FACING_COSINE
+            && self.mean_facing_cosine + back.mean_facing_cosine >= MIN_FACING_COSINE_SUM
+            && !(self.lies_beside && back.lies_beside)
+    }
 }
 
 /// The nearest loop ahead of a vertex.
@@ -187,16 +196,22 @@ impl FacingSearch<'_> {
     /// one outline is much longer, directions from it to the other do not agree, but both loops hardly
     /// look at each other.
     pub(super) fn lie_beside_each_other(&self, first: usize, second: usize, job: &Job<'_>) -> Result<bool> {
-        let measure = |r: usize, k: usize| -> Result<FacingMeasures> {
+        let [there, back] = self.measure_facing_of_pair([first, second], job)?;
+        let hardly_look = there.mean_facing_cosine + back.mean_facing_cosine < MIN_FACING_COSINE_SUM_OF_ONLY_LOOPS;
+        Ok(there.lies_beside && back.lies_beside
+            || (there.lies_beside || back.lies_beside) && hardly_look && !there.winds_around && !back.winds_around)
+    }
+
+    /// Measures how each of two loops sees the other.
+    pub(super) fn measure_facing_of_pair(&self, pair: [usize; 2], job: &Job<'_>) -> Result<[FacingMeasures; 2]> {
+        let measure = |[r, k]: [usize; 2]| -> Result<FacingMeasures> {
             let (from, to) = (&self.rims[r], &self.rims[k]);
             let tree = KdTree::new(&to.points, job, STAGE)?;
             let lengths = polyline::lengths(&to.points, true)?;
             measure_loop_facing(from, &rim_conormals(from)?, to, &lengths, &tree)
         };
-        let (there, back) = (measure(first, second)?, measure(second, first)?);
-        let hardly_look = there.mean_facing_cosine + back.mean_facing_cosine < MIN_FACING_COSINE_SUM_OF_ONLY_LOOPS;
-        Ok(there.lies_beside && back.lies_beside
-            || (there.lies_beside || back.lies_beside) && hardly_look && !there.winds_around && !back.winds_around)
+        let [first, second] = pair;
+        Ok([measure([first, second])?, measure([second, first])?])
     }
 
     /// Returns the nearest loop ahead for some vertices of each loop.
@@ -207,9 +222,7 @@ impl FacingSearch<'_> {
         for (r, rim) in self.rims.iter().enumerate() {
             job.step(r as f64 / self.rims.len() as f64, STAGE)?;
             let own = loops.groups[loops.firsts[r] as usize];
-            let widest = self.max_gap.unwrap_or(
-                self.candidates[r].mean_radius.max(DEFAULT_GAP_TO_SIZE_RATIO * self.largest_component_size()),
-            );
+            let widest = self.max_gap.unwrap_or_else(|| self.widest_gap_of_loop(r));
             let mut of_loop = Vec::new();
             let asked = if self.is_joined_loop[r] { 0 } else { rim.points.len() };
             for i in (0..asked).step_by(rim.points.len().div_ceil(MAX_AHEAD_SAMPLES)) {
@@ -228,6 +241,11 @@ impl FacingSearch<'_> {
             before.push(of_loop);
         }
         Ok(before)
+    }
+
+    /// Returns a bound on the default limits of a loop with any other.
+    pub(super) fn widest_gap_of_loop(&self, r: usize) -> f64 {
+        self.candidates[r].mean_radius.max(DEFAULT_GAP_TO_SIZE_RATIO * self.largest_component_size())
     }
 
     /// Returns the size of the largest component.
