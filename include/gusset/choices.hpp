@@ -318,7 +318,8 @@ enum class DropReason : uint32_t {
 enum class AlignmentStart : uint32_t {
     as_given = GUSSET_ALIGN_AS_GIVEN,
     principal_axes = GUSSET_ALIGN_PRINCIPAL_AXES,
-    rims = GUSSET_ALIGN_RIMS
+    rims = GUSSET_ALIGN_RIMS,
+    features = GUSSET_ALIGN_FEATURES
 };
 
 /// Verdict on the pose of a piece. See ::gusset_aligned_reason.

@@ -1218,6 +1218,9 @@ typedef uint32_t gusset_alignment_start;
 #define GUSSET_ALIGN_PRINCIPAL_AXES 1
 /// Rims of like shape put together, which then hold the pieces. For parts of a cut or broken surface without overlap.
 #define GUSSET_ALIGN_RIMS 2
+/// Like features of the surfaces put together, for overlapping pieces in any poses. A piece stays if its pose is
+/// uncertain, with the verdict GUSSET_ALIGNED_UNDETERMINED.
+#define GUSSET_ALIGN_FEATURES 3
 
 /// Verdict on the pose of a piece.
 typedef uint32_t gusset_aligned_reason;
@@ -1228,7 +1231,8 @@ typedef uint32_t gusset_aligned_reason;
 #define GUSSET_ALIGNED_NO_OVERLAP 1
 /// Too much of the piece near others is off their surfaces.
 #define GUSSET_ALIGNED_POOR_FIT 2
-/// Up to the noise of normals, the piece is free to slide or turn.
+/// Up to the noise of normals, the piece is free to slide or turn. With GUSSET_ALIGN_FEATURES also: the piece overlaps
+/// too little, or fits in several ways.
 #define GUSSET_ALIGNED_UNDETERMINED 3
 /// Most of the overlap has opposite normals: the piece is inside out or mirrored.
 #define GUSSET_ALIGNED_FACES_OTHER_WAY 4
@@ -1307,7 +1311,8 @@ typedef struct gusset_alignment gusset_alignment;
 /// @errors EMPTY_MESH, OUT_OF_RANGE (max_distance; a pose that is not rigid, by index), COUNT_DIFFERS (fewer poses than
 ///     pieces)
 /// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds O(samples log V) a piece
-///     and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces.
+///     and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces. GUSSET_ALIGN_FEATURES: O(F) and at most about 2,000^2
+///     for two pieces.
 /// @source Besl and McKay 1992; Chen and Medioni 1992; Turk and Levoy 1994; Neugebauer 1997; Rusinkiewicz 2019.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_alignment_options *options,

@@ -151,7 +151,7 @@ Unused = Literal['keep', 'remove']
 DropReason = Literal['degenerate', 'zero_area', 'duplicate', 'inside', 'fin', 'overlap']
 
 #: Initial poses.
-AlignmentStart = Literal['as_given', 'principal_axes', 'rims']
+AlignmentStart = Literal['as_given', 'principal_axes', 'rims', 'features']
 
 #: Verdict on the pose of a piece.
 AlignedReason = Literal['trusted', 'no_overlap', 'poor_fit', 'undetermined', 'faces_other_way', 'other_size',
@@ -402,7 +402,7 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_collapse': {'never': 0, 'allow': 1},
     'gusset_unused': {'keep': 0, 'remove': 1},
     'gusset_drop_reason': {'degenerate': 0, 'zero_area': 1, 'duplicate': 2, 'inside': 3, 'fin': 4, 'overlap': 5},
-    'gusset_alignment_start': {'as_given': 0, 'principal_axes': 1, 'rims': 2},
+    'gusset_alignment_start': {'as_given': 0, 'principal_axes': 1, 'rims': 2, 'features': 3},
     'gusset_aligned_reason': {'trusted': 0, 'no_overlap': 1, 'poor_fit': 2, 'undetermined': 3, 'faces_other_way': 4,
     'other_size': 5, 'trusted_by_none': 6},
     'gusset_non_manifold': {'cut': 0, 'stop': 1},

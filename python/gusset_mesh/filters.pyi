@@ -313,8 +313,8 @@ def sew(
 
 
 def align(
-    input_0: MeshLike, *inputs: MeshLike, start: Union[int, Literal['as_they_lie', 'principal_axes', 'rims']] = ..., max_distance:
-    float = ..., samples: int = ..., max_rounds: int = ..., threads: int = ..., progress: Optional[Progress] = ...,
+    input_0: MeshLike, *inputs: MeshLike, start: Union[int, Literal['as_they_lie', 'principal_axes', 'rims', 'features']] = ...,
+    max_distance: float = ..., samples: int = ..., max_rounds: int = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Moves all pieces rigidly to where they fit: pieces that overlap, or parts of one broken surface. The first piece stays. The result is one mesh of all pieces, not joined. The report says whether the place of each piece, counted from 0, can be trusted. It gives the motion of the piece as three rows of four numbers: a rotation and a translation. Normals that vertices carry keep their directions."""
 

@@ -188,6 +188,7 @@ pub(super) const CHOICES: &[(&str, &[(u32, &CStr)])] = &[
         (0, c"As given, moved by poses if any."),
         (1, c"Principal axes on the first piece's, in the best of four ways."),
         (2, c"Rims of like shape put together, which then hold the pieces."),
+        (3, c"Like features of the surfaces put together, for overlapping pieces in any poses."),
     ]),
     ("gusset_aligned_reason", &[
         (0, c"Trusted: the piece fits trusted pieces, up to the first."),
