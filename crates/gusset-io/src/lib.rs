@@ -39,6 +39,7 @@ mod parallel_fill;
 mod parallel_merging;
 mod polygons;
 mod precision;
+mod recent_points;
 #[cfg(not(target_family = "wasm"))]
 mod regular_file;
 mod repeated_points;

@@ -44,6 +44,7 @@ pub(crate) struct VertexMerger<T> {
 }
 
 /// A hash of coordinates with a secret of its own.
+#[derive(Clone, Copy)]
 pub(crate) struct PointHasher {
     secrets: [u64; 3],
 }
@@ -121,11 +122,6 @@ impl<T: Coordinate> VertexMerger<T> {
             let recent_place = hash as usize & (self.recent.len() - 1);
             self.recent[recent_place] = (hash & !u64::from(u32::MAX)) | (u64::from(vertices[place]) + 1);
         }
-    }
-
-    /// Returns the points of the vertices.
-    pub(crate) fn points(&self) -> &[[T; 3]] {
-        &self.points
     }
 
     /// Returns the points of vertices.

@@ -7,6 +7,7 @@ use crate::options::ReadOptions;
 use crate::parallel_fill::make_vector;
 use crate::parallel_merging::merge_triangles;
 use crate::scene::counted;
+use std::sync::atomic::{AtomicU16, Ordering::Relaxed};
 
 /// The bit of attribute bytes that VisCAM sets in facets with a colour, and Materialise Magics in those without.
 const COLOUR_BIT: u16 = 1 << 15;
@@ -39,8 +40,9 @@ pub(super) fn read_binary_stl(bytes: &[u8], options: &ReadOptions) -> Result<Mes
             format!("the file has {count} facets; the limit is 2^32 / 3, so split it"),
         ));
     }
-    let mut mesh = if options.merge_repeated { merged_facets(facets)? } else { separate_facets(facets)? };
-    read_colours(&bytes[..HEADER_BYTES], facets, &mut mesh, &mut notes)?;
+    let bits = AttributeBits::default();
+    let mut mesh = if options.merge_repeated { merged_facets(facets, &bits)? } else { separate_facets(facets, &bits)? };
+    read_colours(&bytes[..HEADER_BYTES], facets, &bits, &mut mesh, &mut notes)?;
     Ok((mesh, notes))
 }
 
@@ -92,16 +94,44 @@ fn facet_corners(facet: &[u8; FACET_BYTES]) -> [[f32; 3]; 3] {
     corners
 }
 
-fn separate_facets(facets: &[u8]) -> Result<Mesh, ReadError> {
+/// Bits of the attribute bytes of facets, which several threads collect.
+#[derive(Default)]
+struct AttributeBits {
+    /// Bits that a facet has.
+    set: AtomicU16,
+    /// Bits that a facet lacks.
+    missing: AtomicU16,
+}
+
+impl AttributeBits {
+    /// Adds the bits of a facet. Returns its corners.
+    #[inline]
+    fn add_and_take_corners(&self, facet: &[u8; FACET_BYTES]) -> [[f32; 3]; 3] {
+        let bits = attribute(facet);
+        for (collected, bits) in [(&self.set, bits), (&self.missing, !bits)] {
+            // Most facets have no new bits, so that the threads only read.
+            if bits & !collected.load(Relaxed) != 0 {
+                collected.fetch_or(bits, Relaxed);
+            }
+        }
+        facet_corners(facet)
+    }
+}
+
+fn attribute(facet: &[u8; FACET_BYTES]) -> u16 {
+    u16::from_le_bytes([facet[48], facet[49]])
+}
+
+fn separate_facets(facets: &[u8], bits: &AttributeBits) -> Result<Mesh, ReadError> {
     let (facets, _) = facets.as_chunks::<FACET_BYTES>();
-    let positions: Vec<[[f32; 3]; 3]> = make_vector(facets.len(), |facet| facet_corners(&facets[facet]))?;
+    let positions: Vec<[[f32; 3]; 3]> = make_vector(facets.len(), |facet| bits.add_and_take_corners(&facets[facet]))?;
     let corners = number_corners(3 * facets.len())?;
     Ok(mesh_from_parts(Positions::F32(bytemuck::cast_vec(positions)), corners, triangle_offsets(facets.len())?))
 }
 
-fn merged_facets(facets: &[u8]) -> Result<Mesh, ReadError> {
+fn merged_facets(facets: &[u8], bits: &AttributeBits) -> Result<Mesh, ReadError> {
     let (facets, _) = facets.as_chunks::<FACET_BYTES>();
-    let (points, corners) = merge_triangles(facets.len(), |facet| facet_corners(&facets[facet]))?;
+    let (points, corners) = merge_triangles(facets.len(), |facet| bits.add_and_take_corners(&facets[facet]))?;
     Ok(mesh_from_parts(Positions::F32(points), corners, triangle_offsets(facets.len())?))
 }
 
@@ -110,10 +140,15 @@ fn triangle_offsets(count: usize) -> Result<Vec<u32>, ReadError> {
 }
 
 /// Reads colours of facets from their attribute bytes, 5 bits for each part.
-fn read_colours(header: &[u8], facets: &[u8], mesh: &mut Mesh, notes: &mut Vec<Note>) -> Result<(), ReadError> {
+fn read_colours(
+    header: &[u8],
+    facets: &[u8],
+    bits: &AttributeBits,
+    mesh: &mut Mesh,
+    notes: &mut Vec<Note>,
+) -> Result<(), ReadError> {
     let (facets, _) = facets.as_chunks::<FACET_BYTES>();
-    let attribute = |facet: &[u8; FACET_BYTES]| u16::from_le_bytes([facet[48], facet[49]]);
-    let (any, all) = facets.iter().map(attribute).fold((0, u16::MAX), |(any, all), bytes| (any | bytes, all & bytes));
+    let (any, all) = (bits.set.load(Relaxed), !bits.missing.load(Relaxed));
     let part_colour = header.windows(MAGICS_COLOUR.len() + 4).find(|bytes| bytes.starts_with(MAGICS_COLOUR));
     let is_coloured = if part_colour.is_some() { all & COLOUR_BIT == 0 } else { any & COLOUR_BIT != 0 };
     if !is_coloured && part_colour.is_none() {
