@@ -101,7 +101,7 @@ fn list_points<T: Coordinate>(
     }
     let (points, hashes) = list.into_points_and_hashes();
     let hashed = hashes.iter().zip(0..).map(|(&hash, index)| {
-        let bucket = (u64::from(hash) * bucket_count as u64 >> 32) as usize;
+        let bucket = ((u64::from(hash) * bucket_count as u64) >> 32) as usize;
         (bucket, HashedPoint { hash, index })
     });
     Ok(PointList { points, buckets: Buckets::new(bucket_count, HashedPoint::default(), hashed)? })

@@ -236,7 +236,12 @@ fn names_what_is_wrong() {
     let required = |name: &str| error_text(&triangle_file(&format!(r#""extensionsRequired":["{name}"]"#)));
     assert!(required("KHR_draco_mesh_compression").contains("gltf-transform"));
     assert!(required("EXT_unknown").contains("requires the extension EXT_unknown"));
-    assert!(read(&triangle_file(r#""extensionsRequired":["KHR_texture_basisu","KHR_materials_unlit"]"#)).is_ok());
+    assert!(
+        read(&triangle_file(
+            r#""extensionsRequired":["KHR_texture_basisu","KHR_materials_unlit","KHR_technique_webgl"]"#
+        ))
+        .is_ok()
+    );
     let draco = r#"{"componentType":5126,"count":3,"type":"VEC3"}"#;
     let json = format!(
         r#"{{"asset":{{"version":"2.0"}},"accessors":[{draco}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},

@@ -20,13 +20,15 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 /// Required extensions that change nothing which is read, besides extensions of materials and textures.
-const HARMLESS_EXTENSIONS: [&str; 8] = [
+const HARMLESS_EXTENSIONS: [&str; 10] = [
     POLYGON_EXTENSION,
     "KHR_mesh_quantization",
     "KHR_texture_transform",
     "KHR_lights_punctual",
     "KHR_animation_pointer",
     "KHR_node_visibility",
+    "KHR_technique_webgl",
+    "KHR_techniques_webgl",
     "KHR_xmp_json_ld",
     "EXT_mesh_gpu_instancing",
 ];

@@ -1,6 +1,7 @@
 //! Header of a PLY file: its elements, and the properties of each.
 
 use crate::error::{Note, Place, ReadError, quoted};
+use crate::foreign_files::refuse_foreign_file;
 use crate::mesh::NumberKind;
 use crate::text::integer;
 use gusset_base::alloc;
@@ -193,7 +194,8 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadError> {
     let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
     let mut lines = Lines::new(bytes, start);
     if !lines.next().is_some_and(|line| line.eq_ignore_ascii_case(b"ply")) {
-        return Err(ReadError::malformed(Place::Line(1), "the first line is not \"ply\""));
+        let error = || ReadError::malformed(Place::Line(1), "the first line is not \"ply\"");
+        return Err(refuse_foreign_file(bytes).unwrap_or_else(error));
     }
     let mut header = Header {
         encoding: Encoding::Text,

@@ -29,6 +29,10 @@ fn invalid_files_are_explained() {
     let xyz = format!("element vertex 1\n{XYZ}");
     let cases: &[(&str, &str)] = &[
         ("", "1: the first line is not \"ply\""),
+        (
+            "version https://git-lfs.github.com/spec/v1\n",
+            "this is a pointer to a file in Git LFS; get the file by git lfs pull",
+        ),
         ("ply", "1: the file ends before \"end_header\""),
         ("ply\nend_header\n", "2: the header lacks the line \"format\""),
         ("ply\nformat text 1.0\n", "2: \"text\" is not a format: use ascii, binary_little_endian or binary_big_endian"),

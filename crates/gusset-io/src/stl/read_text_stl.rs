@@ -11,6 +11,8 @@ use crate::vertex_merging::VertexMerger;
 
 /// Words that may be in the place of a normal.
 const MAX_NORMAL_WORDS: usize = 4;
+/// Words that may follow the name of a solid, or a facet.
+const WORDS_IN_SOLID: [&str; 4] = ["facet", "endsolid", "solid", "color"];
 
 /// Returns whether a file that is not an exact binary file begins as text does: with `solid`, and with words of STL after its line.
 pub(super) fn is_text_stl(text: &[u8]) -> bool {
@@ -24,10 +26,9 @@ pub(super) fn is_text_stl(text: &[u8]) -> bool {
         return true;
     }
     // The header of a binary file may begin like this.
-    let mut reader = TextReader { scanner, text, positions: Vec::new(), offsets: vec![0], notes: Vec::new() };
+    let mut reader = TextReader::new(scanner, text);
     let (_, has_facet) = reader.read_name();
-    let is_next = |word| ["facet", "endsolid", "solid", "color"].iter().any(|wanted| is_word(word, wanted));
-    has_facet || reader.scanner.word().is_some_and(is_next)
+    has_facet || reader.scanner.word().is_some_and(|word| is_any_word(word, &WORDS_IN_SOLID))
 }
 
 /// Passes empty lines, and lines that begin with `#`, `//`, `;` or `!`. Returns whether there were comments.
@@ -53,14 +54,12 @@ fn is_word(word: &[u8], wanted: &str) -> bool {
     word.eq_ignore_ascii_case(wanted.as_bytes())
 }
 
+fn is_any_word(word: &[u8], wanted: &[&str]) -> bool {
+    wanted.iter().any(|wanted| is_word(word, wanted))
+}
+
 pub(super) fn read_text_stl(text: &[u8], options: &ReadOptions) -> Result<MeshAndNotes, ReadError> {
-    let mut reader = TextReader {
-        scanner: Scanner::new(text, None),
-        text,
-        positions: Vec::new(),
-        offsets: vec![0],
-        notes: Vec::new(),
-    };
+    let mut reader = TextReader::new(Scanner::new(text, None), text);
     if skip_comments(&mut reader.scanner, text) {
         reader.notes.push(Note::new(Place::Line(1), "comments before \"solid\" are ignored"));
     }
@@ -86,10 +85,17 @@ struct TextReader<'a> {
     text: &'a [u8],
     positions: Vec<[f64; 3]>,
     offsets: Vec<u32>,
+    /// Whether words follow `endloop` or `endfacet` on its line.
+    has_trailing_words: bool,
     notes: Vec<Note>,
 }
 
-impl TextReader<'_> {
+impl<'a> TextReader<'a> {
+    fn new(scanner: Scanner<'a>, text: &'a [u8]) -> Self {
+        let (positions, offsets, notes) = (Vec::new(), vec![0], Vec::new());
+        Self { scanner, text, positions, offsets, has_trailing_words: false, notes }
+    }
+
     /// Reads all solids. Returns the name of the only one.
     fn read_solids(&mut self) -> Result<String, ReadError> {
         let mut name = String::new();
@@ -110,6 +116,7 @@ impl TextReader<'_> {
                 self.scanner.rest_of_line();
             } else if is_word(found, "facet") {
                 polygons += usize::from(self.read_facet()? > 3);
+                word = self.skip_trailing_words(&WORDS_IN_SOLID);
             } else if is_word(found, "color") {
                 self.scanner.rest_of_line();
             } else {
@@ -130,6 +137,9 @@ impl TextReader<'_> {
     fn add_notes(&mut self, solids: usize, is_open: bool, polygons: usize) {
         if solids > 1 {
             self.notes.push(Note::new(Place::Whole, format!("the {solids} solids of the file become one mesh")));
+        }
+        if self.has_trailing_words {
+            self.notes.push(Note::new(Place::Whole, "words after \"endloop\" or \"endfacet\" are ignored"));
         }
         if is_open {
             self.notes.push(Note::new(Place::Line(self.scanner.line()), "the file ends without \"endsolid\""));
@@ -195,7 +205,8 @@ impl TextReader<'_> {
                 return Err(self.scanner.error(format!("facet {facet}: {} where \"{wanted}\" must be", quoted(word))));
             }
         }
-        self.expect(facet, "endfacet")?;
+        let word = self.skip_trailing_words(&["endfacet", "facet", "endsolid"]).or_else(|| self.scanner.word());
+        self.check_word(facet, word, "endfacet")?;
         let end = u32::try_from(self.positions.len())
             .map_err(|_| ReadError::new(ReadErrorKind::TooLarge, "the file has more than 2^32 corners; split it"))?;
         self.offsets.try_reserve(1)?;
@@ -203,8 +214,24 @@ impl TextReader<'_> {
         Ok(count)
     }
 
+    /// Skips the rest of the line up to one of the keywords, which it returns. Some programs repeat names at the end of facets.
+    fn skip_trailing_words(&mut self, keywords: &[&str]) -> Option<&'a [u8]> {
+        while let Some(word) = self.scanner.word_in_line() {
+            if is_any_word(word, keywords) {
+                return Some(word);
+            }
+            self.has_trailing_words = true;
+        }
+        None
+    }
+
     fn expect(&mut self, facet: usize, wanted: &str) -> Result<(), ReadError> {
-        match self.scanner.word() {
+        let word = self.scanner.word();
+        self.check_word(facet, word, wanted)
+    }
+
+    fn check_word(&self, facet: usize, word: Option<&[u8]>, wanted: &str) -> Result<(), ReadError> {
+        match word {
             Some(word) if is_word(word, wanted) => Ok(()),
             Some(word) => {
                 Err(self.scanner.error(format!("facet {facet}: {} where \"{wanted}\" must be", quoted(word))))

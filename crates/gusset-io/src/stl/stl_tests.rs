@@ -90,6 +90,12 @@ fn deviations_of_text_are_noted() {
     assert_tetrahedron(&document);
     assert_eq!(notes(&document), ["the file ends without \"endsolid\""]);
     let whole = text_file("solid a\n", "endsolid a\n");
+    let words = whole.replace("endloop", "endloop of a").replace("endfacet", "endfacet b ");
+    for text in [words.clone(), words.replace('\n', " ")] {
+        let document = read(&text);
+        assert_tetrahedron(&document);
+        assert_eq!(notes(&document), ["words after \"endloop\" or \"endfacet\" are ignored"], "{text}");
+    }
     let (first, second) = whole.split_at(whole.match_indices("  facet").nth(2).expect("four facets").0);
     let document = read(format!("{first}endsolid a\nsolid b\n{second}"));
     assert_tetrahedron(&document);
@@ -177,6 +183,14 @@ fn errors_name_line_and_facet() {
             "5: facet 0, corner 1: the file ends before its numbers",
         ),
         ("solid a\nfacet normal 0 0 1 0 0 0 0\n", "2: facet 0: \"outer loop\" does not follow the normal"),
+        (
+            "solid a\nfacet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0\nendloop a facet",
+            "3: facet 0: \"facet\" where \"endfacet\" must be",
+        ),
+        (
+            "solid a\nfacet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0\nendloop endfacet a\na facet",
+            "4: facet 1: \"a\" where \"facet\" or \"endsolid\" must be",
+        ),
         ("solid a\nsomething\n", "2: facet 0: \"something\" where \"facet\" or \"endsolid\" must be"),
     ] {
         assert_eq!(message(text), wanted);
