@@ -8,11 +8,10 @@
 //! the line or element. Each reader takes time linear in the file, and at most
 //! [`MAX_MEMORY_PER_FILE_BYTE`] bytes of memory for each of its bytes.
 //!
-//! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
-//! and words; `polygons` splits polygons into triangles; `precision` tells what single precision
-//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions, and `parallel_merging` those of
-//! large lists of triangles by several threads. `files` reads and writes paths,
-//! `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
+//! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers and
+//! words; `polygons` splits polygons into triangles; `precision` tells what single precision would move; `scene` joins meshes for formats
+//! that hold one; `vertex_merging` finds equal positions, and `parallel_merging` does so for many triangles by several threads. `files`
+//! reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod budget;
 mod colour_steps;
