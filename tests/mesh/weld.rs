@@ -238,7 +238,7 @@ proptest! {
 }
 
 /// The six sides of a cube, each with vertices of its own.
-fn cube(at: [f64; 3]) -> Soup {
+pub(crate) fn cube(at: [f64; 3]) -> Soup {
     let corner = |k: u32| [0, 1, 2].map(|axis| at[axis] + f64::from(k >> axis & 1));
     let sides: [[u32; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let whole = Soup::new((0..8).map(corner).collect(), &sides.each_ref().map(|side| &side[..]));

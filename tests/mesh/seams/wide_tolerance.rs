@@ -119,3 +119,27 @@ fn a_wide_cut_is_sewn_up_to_its_ends() {
         assert_eq!((done.welded_vertices, done.sewn_edges), (LENGTH - 1, LENGTH), "{seed}: width {width}");
     }
 }
+
+/// The corners of each triangle of a box are moved by themselves, as in files of single precision that
+/// were turned and moved triangle by triangle.
+#[test]
+fn the_hint_covers_soups_whose_corners_differ() {
+    for seed in 0..cases() {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let jitter = 10f64.powf(-2.0 - 10.0 * random.f64());
+        let box_of_quads = crate::weld::cube([0.0; 3]);
+        let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+        for face in box_of_quads.faces() {
+            for corners in [[face[0], face[1], face[2]], [face[0], face[2], face[3]]] {
+                let first = soup.points.len() as u32;
+                let moved = |v: u32| box_of_quads.points[v as usize].map(|x| x + jitter * (random.f64() - 0.5));
+                soup.points.extend(corners.map(moved));
+                soup.face(&[first, first + 1, first + 2]);
+            }
+        }
+        let before = welded(&soup, None);
+        assert_eq!(before.sewn_edges + before.near.edge_pairs, 18, "{seed}: {jitter}");
+        let after = welded(&soup, Some(before.near.tolerance.max(before.tolerance)));
+        assert_eq!((after.sewn_edges, after.near.edge_pairs), (18, 0), "{seed}: {jitter}");
+    }
+}

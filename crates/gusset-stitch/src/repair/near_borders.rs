@@ -1,20 +1,30 @@
 //! Pairs of free edges that coincide only beyond the tolerance: the hint which tolerance sews them.
 //!
-//! A vertex that coincides with no other has a near partner if both are mutually nearest among such
-//! vertices, and nearer than a tenth of the shortest edge at either. Two free
-//! edges are near if their ends are partners. The criterion is our own.
+//! Two vertices are near if their distance is at most a tenth of the shortest edge at either. Near
+//! vertices form sets: where several faces of a soup meet, each has a corner of its own. Two free
+//! edges are near if they join the same two sets. The criterion is our own.
 
 use super::sew_edges::free_edges;
 use super::weld_tolerance::shortest_edge_lengths;
 use gusset_base::alloc;
 use gusset_base::error::Result;
+use gusset_base::geom::Aabb;
+use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
 use gusset_mesh::{MeshView, NONE, Topology};
 
 /// Largest distance between near vertices, relative to the shortest edge at either.
 const MAX_NEAR_TO_EDGE_RATIO: f64 = 0.1;
+
+/// Largest number of rounds that join sets. Each round joins every set that has a near place with
+/// another one.
+const MAX_ROUNDS: usize = 16;
+
+/// Larger sets are measured by their box.
+const MAX_MEASURED_PLACES: usize = 64;
 
 /// Number of vertices between two progress reports.
 const VERTICES_PER_REPORT: usize = 1 << 12;
@@ -31,9 +41,10 @@ pub struct NearBorders {
 }
 
 impl NearBorders {
-    /// Finds the near edges between `members` that are alone in their clusters.
+    /// Finds the near edges among the free edges that the `clusters` of the `members` leave single.
+    /// `clusters` maps each vertex to the representative of its cluster.
     ///
-    /// O(H + B log B) for H half-edges and B such members; O(B) if there are none.
+    /// O(H + B log B) for H half-edges and B members.
     pub(super) fn find(
         mesh: &MeshView<'_>,
         topology: &Topology,
@@ -41,37 +52,26 @@ impl NearBorders {
         clusters: &[u32],
         job: &Job<'_>,
     ) -> Result<Self> {
-        let mut has_company = alloc::filled(false, clusters.len())?;
-        for &v in members.iter().filter(|&&v| clusters[v as usize] != v) {
-            has_company[clusters[v as usize] as usize] = true;
-        }
-        let alone = members.iter().copied().filter(|&v| clusters[v as usize] == v && !has_company[v as usize]);
-        let alone = alloc::gather(alone)?;
-        if alone.len() < 4 {
+        let places = alloc::gather(members.iter().copied().filter(|&v| clusters[v as usize] == v))?;
+        let edges = edges_left(mesh, topology, clusters)?;
+        if places.len() < 3 || edges.len() < 2 {
             return Ok(NearBorders::default());
         }
-        let partner = find_near_partners(mesh, &alone, MAX_NEAR_TO_EDGE_RATIO, &job.sub_job(0.0, 0.8))?;
-        if alone.iter().all(|&v| partner[v as usize] == NONE) {
-            return Ok(NearBorders::default());
-        }
-        let ordered = |[u, v]: [u32; 2]| [u.min(v), u.max(v)];
-        let partners = |ends: [u32; 2]| ends.map(|v| partner[v as usize]);
-        let with_partners = free_edges(mesh, topology).filter(|&(_, ends)| !partners(ends).contains(&NONE));
-        let mut edges = alloc::gather(with_partners.map(|(_, ends)| ordered(ends)))?;
+        let sets = NearSets::find(mesh, &places, members, clusters, &job.sub_job(0.0, 0.9))?;
+        let mut keyed = alloc::gather(edges.iter().filter_map(|&ends| {
+            let [u, v] = ends.map(|v| sets.set_of_place[v as usize]);
+            (u != v && u != NONE && v != NONE).then_some([u.min(v), u.max(v)])
+        }))?;
         job.step(0.9, STAGE)?;
-        edges.sort_unstable();
+        keyed.sort_unstable();
         let mut near = NearBorders::default();
-        let mut largest = 0.0f64;
-        for &edge in &edges {
-            let other = ordered(partners(edge));
-            if edge < other && edges.binary_search(&other).is_ok() {
-                near.edge_pairs += 1;
-                let apart =
-                    |v: u32| overflow_safe_distance(mesh.positions().get(v), mesh.positions().get(partner[v as usize]));
-                largest = edge.into_iter().map(apart).fold(largest, f64::max);
-            }
+        let mut involved = Vec::new();
+        for group in keyed.chunk_by(|x, y| x == y).filter(|group| group.len() > 1) {
+            near.edge_pairs += group.len() as u32 / 2;
+            alloc::extend(&mut involved, group[0])?;
         }
-        near.tolerance = round_up(largest);
+        sort_distinct(&mut involved);
+        near.tolerance = round_up(sets.largest_diameter(mesh, &places, &involved)?);
         Ok(near)
     }
 
@@ -91,6 +91,81 @@ impl NearBorders {
         };
         let tolerance = self.tolerance;
         Some(format!("{} {pairs} within {tolerance:e}: tolerance {tolerance:e} {verb}", self.edge_pairs))
+    }
+}
+
+/// Returns the free edges, each as the representatives of its ends, whose ends no other free edge
+/// shares.
+fn edges_left(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32]) -> Result<Vec<[u32; 2]>> {
+    let named = free_edges(mesh, topology).map(|(_, ends)| ends.map(|v| clusters[v as usize]));
+    let mut edges = alloc::gather(named.filter(|[u, v]| u != v).map(|[u, v]| [u.min(v), u.max(v)]))?;
+    edges.sort_unstable();
+    alloc::gather(edges.chunk_by(|x, y| x == y).filter(|group| group.len() == 1).map(|group| group[0]))
+}
+
+/// Sets of near vertices.
+struct NearSets {
+    /// For each vertex that represents a cluster, the number of its set; otherwise [`NONE`].
+    set_of_place: Vec<u32>,
+}
+
+impl NearSets {
+    /// Finds the sets of `places`, the representatives of clusters of `members`: near places are
+    /// joined until none are left, or [`MAX_ROUNDS`] are over.
+    fn find(mesh: &MeshView<'_>, places: &[u32], members: &[u32], clusters: &[u32], job: &Job<'_>) -> Result<Self> {
+        let mut shortest = shortest_edge_lengths(mesh, members, 0.0, &job.sub_job(0.0, 0.1))?;
+        for &v in members {
+            let place = clusters[v as usize] as usize;
+            shortest[place] = shortest[place].min(shortest[v as usize]);
+        }
+        let points = alloc::collect(places.iter().map(|&v| mesh.positions().get(v)))?;
+        let limit = |i: usize| MAX_NEAR_TO_EDGE_RATIO * shortest[places[i] as usize];
+        let tree = KdTree::new(&points, &job.sub_job(0.1, 0.2), STAGE)?;
+        let mut sets = DisjointSets::new(places.len())?;
+        let mut roots = alloc::collect(0..places.len() as u32)?;
+        let mut asking = alloc::collect(0..places.len())?;
+        for round in 0..MAX_ROUNDS {
+            let part = job.sub_job(0.2, 1.0).sub_job_of_item(round, MAX_ROUNDS);
+            let mut joined = Vec::new();
+            for (k, &i) in asking.iter().enumerate() {
+                part.step_every(VERTICES_PER_REPORT, k, asking.len(), STAGE)?;
+                let is_near = |j: u32| {
+                    roots[j as usize] != roots[i]
+                        && points[i].distance_squared(points[j as usize]) <= limit(j as usize).powi(2)
+                };
+                if let Some((_, j)) = tree.nearest(points[i], limit(i).powi(2), is_near) {
+                    sets.union(i as u32, j);
+                    alloc::push(&mut joined, i)?;
+                }
+            }
+            if joined.is_empty() {
+                break;
+            }
+            asking = joined;
+            roots.iter_mut().zip(0u32..).for_each(|(root, i)| *root = sets.find(i));
+        }
+        let mut set_of_place = alloc::filled(NONE, mesh.positions().len())?;
+        places.iter().zip(&roots).for_each(|(&v, &root)| set_of_place[v as usize] = root);
+        Ok(NearSets { set_of_place })
+    }
+
+    /// Returns the largest diameter of the sets `involved`, which ascend. A set of more than
+    /// [`MAX_MEASURED_PLACES`] has the diagonal of its box.
+    fn largest_diameter(&self, mesh: &MeshView<'_>, places: &[u32], involved: &[u32]) -> Result<f64> {
+        let set = |v: u32| self.set_of_place[v as usize];
+        let mut of_sets =
+            alloc::gather(places.iter().map(|&v| (set(v), v)).filter(|(of, _)| involved.binary_search(of).is_ok()))?;
+        of_sets.sort_unstable();
+        let position = |&(_, v): &(u32, u32)| mesh.positions().get(v);
+        let diameter = |set: &[(u32, u32)]| {
+            if set.len() > MAX_MEASURED_PLACES {
+                let Aabb { low, high } = Aabb::from_points(set.iter().map(position));
+                return overflow_safe_distance(low, high);
+            }
+            let pairs = set.iter().enumerate().flat_map(|(k, p)| set[k + 1..].iter().map(move |q| (p, q)));
+            pairs.map(|(p, q)| overflow_safe_distance(position(p), position(q))).fold(0.0, f64::max)
+        };
+        Ok(of_sets.chunk_by(|x, y| x.0 == y.0).map(diameter).fold(0.0, f64::max))
     }
 }
 
