@@ -5,10 +5,10 @@
 
 use super::alignment_scene::AlignmentScene;
 use super::pose::Pose;
-use super::surface_features::surface_features;
+use super::surface_features::compute_features;
 use super::surface_pair::{SurfacePose, are_in_conflict, find_self_score, find_surface_pose};
 use super::surface_pose::SampledSurface;
-use super::surface_samples::{STAGE, choose_sparse_points, common_sample_spacing, dense_surface_points};
+use super::surface_samples::{STAGE, choose_common_spacing, choose_sparse_points, place_dense_points};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
@@ -40,14 +40,14 @@ pub(super) fn find_poses_by_surface_features(
     job: &Job<'_>,
 ) -> Result<FoundPoses> {
     let scans = alloc::collect(scene.sampled_pieces.iter().map(|piece| piece.scan))?;
-    let spacing = common_sample_spacing(pieces.iter().zip(scans.iter().copied()), &job.sub_job(0.0, 0.0))?;
+    let spacing = choose_common_spacing(pieces.iter().zip(scans.iter().copied()), &job.sub_job(0.0, 0.0))?;
     let mut poses = alloc::filled(None, pieces.len())?;
     poses[0] = Some(Pose::IDENTITY);
     if spacing <= 0.0 {
         return Ok(FoundPoses { poses, spacing });
     }
     let dense = par::map_jobs(&job.sub_job(0.0, 0.1), STAGE, pieces.iter().zip(&scans), |(mesh, scan), job| {
-        dense_surface_points(mesh, scan, spacing, job)
+        place_dense_points(mesh, scan, spacing, job)
     })?;
     let trees =
         alloc::try_collect(dense.iter().map(|dense| KdTree::new(&dense.points, &job.sub_job(0.1, 0.1), STAGE)))?;
@@ -56,8 +56,8 @@ pub(super) fn find_poses_by_surface_features(
         let sparse_tree = KdTree::new(&samples.points, &job.sub_job(0.2, 0.2), STAGE)?;
         let [fine, coarse] = [FINE_FEATURE_RADIUS, COARSE_FEATURE_RADIUS].map(|radius| radius * spacing);
         let mut features = alloc::with_capacity(2)?;
-        features.push(surface_features(&samples, dense, tree, fine, &job.sub_job(0.2, 0.6))?);
-        features.push(surface_features(&samples, &samples, &sparse_tree, coarse, &job.sub_job(0.6, 1.0))?);
+        features.push(compute_features(&samples, dense, tree, fine, &job.sub_job(0.2, 0.6))?);
+        features.push(compute_features(&samples, &samples, &sparse_tree, coarse, &job.sub_job(0.6, 1.0))?);
         Ok((samples, features))
     })?;
     let surfaces = alloc::collect((0..pieces.len()).map(|k| SampledSurface {

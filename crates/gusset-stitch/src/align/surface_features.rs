@@ -28,7 +28,7 @@ pub(super) type SurfaceFeature = [f32; FEATURE_LENGTH];
 
 /// Returns for each sample the feature of the points within a radius; zeros for samples with too
 /// few of them. `tree` is over the points.
-pub(super) fn surface_features(
+pub(super) fn compute_features(
     samples: &OrientedPoints,
     around: &OrientedPoints,
     tree: &KdTree<'_>,
@@ -43,7 +43,7 @@ pub(super) fn surface_features(
         let mut count = 0.0;
         tree.for_each_within(point, ScaledRadius::new(radius), &mut |_, k| {
             let (other, m) = (around.points[k as usize], around.normals[k as usize]);
-            if let Some(angles) = pair_angles(point, normal, other, m) {
+            if let Some(angles) = measure_pair_angles(point, normal, other, m) {
                 count += 1.0;
                 for (k, angle) in angles.into_iter().enumerate() {
                     add_to_histogram(&mut histogram[k * BINS..(k + 1) * BINS], angle);
@@ -59,7 +59,7 @@ pub(super) fn surface_features(
 
 /// Returns the three angles of a pair, each scaled to the range from 0 to 1. `None` if the
 /// neighbour is along the normal, or lacks a normal.
-fn pair_angles(p: DVec3, u: DVec3, q: DVec3, m: DVec3) -> Option<[f64; 3]> {
+fn measure_pair_angles(p: DVec3, u: DVec3, q: DVec3, m: DVec3) -> Option<[f64; 3]> {
     let d = (q - p).try_normalize()?;
     let v = d.cross(u).try_normalize()?;
     if m == DVec3::ZERO {
@@ -111,7 +111,7 @@ mod tests {
     fn middle_feature(patch: &OrientedPoints) -> SurfaceFeature {
         let job = Job::default();
         let tree = KdTree::new(&patch.points, &job, STAGE).unwrap();
-        surface_features(patch, patch, &tree, 0.8, &job).unwrap()[patch.points.len() / 2]
+        compute_features(patch, patch, &tree, 0.8, &job).unwrap()[patch.points.len() / 2]
     }
 
     /// Motions keep a feature; another curvature changes it.

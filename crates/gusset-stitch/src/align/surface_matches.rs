@@ -26,8 +26,8 @@ pub(super) fn match_features(features: [&[Vec<SurfaceFeature>]; 2], job: &Job<'_
     let mut ranked: Vec<(usize, Match)> = Vec::new();
     for (scale, (own, theirs)) in features[0].iter().zip(features[1]).enumerate() {
         let job = job.sub_job_of_item(scale, features[0].len());
-        let ahead = most_similar(own, theirs, &job.sub_job(0.0, 0.5))?;
-        let back = most_similar(theirs, own, &job.sub_job(0.5, 1.0))?;
+        let ahead = find_most_similar(own, theirs, &job.sub_job(0.0, 0.5))?;
+        let back = find_most_similar(theirs, own, &job.sub_job(0.5, 1.0))?;
         let rank_in = |table: &[Similar], i: usize, k: u32| {
             table[i].iter().position(|(_, other)| *other == k).unwrap_or(2 * MATCHES_PER_SAMPLE)
         };
@@ -53,7 +53,7 @@ pub(super) fn match_features(features: [&[Vec<SurfaceFeature>]; 2], job: &Job<'_
 }
 
 /// Returns for each feature the most similar of the others.
-fn most_similar(own: &[SurfaceFeature], theirs: &[SurfaceFeature], job: &Job<'_>) -> Result<Vec<Similar>> {
+fn find_most_similar(own: &[SurfaceFeature], theirs: &[SurfaceFeature], job: &Job<'_>) -> Result<Vec<Similar>> {
     let mut found = alloc::filled([(f32::INFINITY, NONE); MATCHES_PER_SAMPLE], own.len())?;
     let is_empty = |feature: &SurfaceFeature| feature.iter().all(|&x| x == 0.0);
     let is_missing = alloc::collect(theirs.iter().map(is_empty))?;

@@ -36,7 +36,7 @@ pub(super) struct OrientedPoints {
 
 /// Returns the spacing of the samples of all pieces: the largest piece has 1,000 squared spacings.
 /// O(F).
-pub(super) fn common_sample_spacing<'a>(
+pub(super) fn choose_common_spacing<'a>(
     pieces: impl Iterator<Item = (&'a MeshView<'a>, &'a CentredPiece)>,
     job: &Job<'_>,
 ) -> Result<f64> {
@@ -65,7 +65,7 @@ fn triangle_area(scan: &CentredPiece, corners: [usize; 3]) -> f64 {
 }
 
 /// Returns points of the surface, nine for each squared spacing. O(F), plus the points.
-pub(super) fn dense_surface_points(
+pub(super) fn place_dense_points(
     mesh: &MeshView<'_>,
     scan: &CentredPiece,
     spacing: f64,
