@@ -1376,7 +1376,7 @@ export interface AlignParams extends RunOptions {
   /**
    * Start. The positions that the pieces start from.
    */
-  start?: "as_they_lie" | "principal_axes" | "rims" | number;
+  start?: "as_they_lie" | "principal_axes" | "rims" | "features" | number;
   /**
    * Greatest distance. Points farther than this from another piece form no pair with it, so the pieces must start this near to their
    * places. 0 and -1 take a tenth of the diagonal of the largest piece's box. From -1 to 1000000000000000.
