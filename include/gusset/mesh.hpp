@@ -64,7 +64,7 @@ public:
         const Corners indices(corners);
         constexpr std::size_t row_size = Corners::row_size<Container>;
         if ((row_size != 1 && row_size != face_size) || (face_size != 0 && indices.size() % face_size != 0)) {
-            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of corners is not a multiple of face_size");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "there are corners over: each face needs as many as the others");
         }
         gusset_mesh_view view = with_points(points);
         view.face_corners = indices.data();
@@ -93,7 +93,10 @@ public:
         static_assert(are_named, "name the arrays: MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners))");
         gusset_mesh_view view = with_points(points);
         if constexpr (are_named) {
-            if (offsets.empty() || offsets[offsets.size() - 1] != corners.size()) {
+            if (offsets.empty()) {
+                detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "there are no offsets: a mesh without faces has the offset 0");
+            }
+            if (offsets[offsets.size() - 1] != corners.size()) {
                 detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the last offset is not the number of corners");
             }
             view.face_offsets = offsets.data();
@@ -135,10 +138,11 @@ public:
         using Row = std::array<Scalar, 3>;
         static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "positions of float or double");
         if (view_.scalar != (std::is_same_v<Scalar, float> ? GUSSET_F32 : GUSSET_F64)) {
-            detail::refuse(GUSSET_ERROR_UNKNOWN_VALUE, has_floats() ? "the positions are floats" : "the positions are doubles");
+            detail::refuse(GUSSET_ERROR_UNKNOWN_VALUE, has_floats() ? "the positions are floats: call positions<float>()"
+                                                                    : "the positions are doubles: call positions<double>()");
         }
         if (view_.position_stride != 0 && view_.position_stride != sizeof(Row)) {
-            detail::refuse(GUSSET_ERROR_BAD_STRIDE, "the positions are not side by side");
+            detail::refuse(GUSSET_ERROR_BAD_STRIDE, "the positions are not side by side: read them by position(v)");
         }
         return {static_cast<const Row *>(view_.positions), view_.vertex_count};
     }
