@@ -93,7 +93,9 @@ impl FacingSearch<'_> {
                 let accept = |v: u32| {
                     visits.count_visit();
                     let k = owners[v as usize] as usize;
-                    self.candidates[k].component != component && self.may_join_loops(r, k)
+                    self.candidates[k].piece != piece
+                        && self.candidates[k].component != component
+                        && self.may_join_loops(r, k)
                 };
                 let nearest = tree.nearest_in_other_groups(p, widest * widest, piece, accept);
                 of_loop.push(nearest.map_or(NONE, |(_, v)| owners[v as usize]));
