@@ -42,7 +42,7 @@ fn case_count() -> u64 {
 fn each_other_s_nearest_are_joined() {
     for seed in 0..case_count() {
         let mut random = fastrand::Rng::with_seed(seed);
-        let (count, gap, apart) = (random.usize(2..5), 1.1 + 1.6 * random.f64(), 2.5 + 4.0 * random.f64());
+        let (count, gap, apart) = (random.usize(2..5), 1.1 + 1.6 * random.f64(), 3.5 + 4.0 * random.f64());
         let below: Vec<DVec3> = (0..count).map(|k| DVec3::new(apart * k as f64, random.f64(), 0.0)).collect();
         let mut aside = || 0.3 * (random.f64() - 0.5);
         let above: Vec<DVec3> = below.iter().map(|p| *p + DVec3::new(aside(), aside(), gap)).collect();
