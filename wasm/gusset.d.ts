@@ -1684,8 +1684,8 @@ export interface Filters {
   readonly curve_svg: Filter<[CurvesLike], Report, CurveSvgParams>;
   /**
    * Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a tip. Corners of
-   * sections stay sharp. Between two equal sections, the surface is their cylinder. Source: T. Nadopta, Theoretical foundations of the
-   * identification of outline curves, 2008
+   * sections stay sharp. Between two equal sections, the surface is their cylinder. Sections that repeat the previous one are left out,
+   * and the report names them. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
    */
   readonly loft: Filter<[CurvesLike], [Mesh, Report], LoftParams>;
   /**

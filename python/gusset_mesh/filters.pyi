@@ -257,7 +257,7 @@ def loft(
     Sequence[float] = ..., direction: Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ...,
     threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder."""
+    """Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder. Sections that repeat the previous one are left out, and the report names them."""
 
 
 def smooth_net(

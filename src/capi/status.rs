@@ -371,6 +371,10 @@ impl From<Error> for Failure {
                 at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())
             }
             NoNode { section, column } => at(GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, section, column.into()),
+            OnlyTips => at(GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, 0, 0.0),
+            RepeatedSection { section, earlier } => {
+                at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_SECTION, section, earlier.into())
+            }
             CurveNotClosed => plain(GUSSET_ERROR_CURVE_NOT_CLOSED, 0.0),
             CurveNotPlane { point, z } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point, z),
             EmptyCurve => plain(GUSSET_ERROR_EMPTY_CURVE, 0.0),

@@ -253,7 +253,7 @@ fn what_makes_no_frame_is_refused() {
     let point = Sections::from_sections([vec![[0.0; 3]; 5], circle(1.0, 5, 0.0, false)]);
     let points = Sections::from_sections([vec![[0.0; 3]; 5], vec![[0.0, 0.0, 1.0]]]);
     let error = points.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap_err();
-    assert_eq!(error, Error::NoNode { section: 0, column: 0 });
+    assert_eq!(error, Error::OnlyTips);
     // A pole is a section like others.
     let made = point.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap();
     assert!(made.grid.nodes[..5].iter().all(|&node| node == DVec3::ZERO));

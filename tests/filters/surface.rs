@@ -2,6 +2,7 @@
 
 use crate::common::{self, Soup, sheet};
 use crate::editor::{circle, curve, given, inputs, lines, mesh, number, polylines, radius, sphere, text, values};
+use glam::DVec3;
 use gusset::filters::Filter;
 use gusset::filters::data::{Curves, Input, Output};
 use gusset::mesh::PositionBuffer;
@@ -223,6 +224,75 @@ fn surfaces_through_sections_are_those_that_were_cut() {
     let one = run("loft", &[Input::Curves(&parallels(2, 9))], &[("ring", &[1.0])]);
     let words = one.map_err(|error| error.to_string());
     assert_eq!(words.err().as_deref(), Some("input 0 has 2 curves; the filter needs at least three for a ring"));
+}
+
+/// Circles of 16 points with radius 1 round the z axis, at these heights.
+fn circles_at(heights: &[f64]) -> Curves {
+    polylines(&heights.iter().map(|&z| (circle(16, 1.0, [0.0, 0.0, z]), true)).collect::<Vec<_>>())
+}
+
+fn area(points: &[[f64; 3]], faces: &[&[u32]]) -> f64 {
+    let at = |v: u32| DVec3::from(points[v as usize]);
+    let triangle = |a, b, c| 0.5 * (at(b) - at(a)).cross(at(c) - at(a)).length();
+    let face = |face: &&[u32]| face[1..].windows(2).map(|edge| triangle(face[0], edge[0], edge[1])).sum::<f64>();
+    faces.iter().map(face).sum()
+}
+
+#[test]
+fn repeated_sections_are_left_out_and_named() {
+    let line = |section, earlier| format!("section {section} repeats section {earlier} and was left out\n");
+    // Cylinders of radius 1: the area is 2 pi times the height, less 0.2 per cent for the chords.
+    for (heights, height, lines) in [
+        (&[0.0, 1.0][..], 1.0, vec![]),
+        (&[0.0, 0.0, 1.0], 1.0, vec![line(1, 0)]),
+        (&[0.0, 1.0, 1.0], 1.0, vec![line(2, 1)]),
+        (&[0.0, 1e-9, 1.0, 2.0], 2.0, vec![line(1, 0)]),
+        (&[0.0, 1.0, 1.0 - 1e-9, 2.0], 2.0, vec![line(2, 1)]),
+        (&[0.0, 0.0, 0.0, 1.0, 2.0, 2.0], 2.0, vec![line(1, 0), line(2, 0), line(5, 4)]),
+        // These lie apart.
+        (&[0.0, 1e-4, 1.0, 2.0], 2.0, vec![]),
+    ] {
+        let sections = circles_at(heights);
+        for set in [&[][..], &[("nodes", &[1.0][..])], &[("through", &[1.0])], &[("through", &[2.0])]] {
+            let outputs = run("loft", &[Input::Curves(&sections)], set).unwrap();
+            let ((points, faces), report) = (mesh(&outputs[0]), text(&outputs[1]));
+            let ratio = area(&points, &faces) / (TAU * height);
+            assert!((ratio - 1.0).abs() < 4e-3, "{heights:?} {set:?}: {ratio}");
+            let mut edges =
+                faces.iter().flat_map(|face| (0..face.len()).map(|i| [face[i], face[(i + 1) % face.len()]]));
+            assert!(edges.all(|[a, b]| points[a as usize] != points[b as usize]), "{heights:?}: an edge of no length");
+            assert!(report.ends_with(&lines.concat()), "{heights:?}: {report}");
+            assert_eq!(report.matches("repeats").count(), lines.len(), "{heights:?}: {report}");
+        }
+    }
+    // A ring of sections whose last one is the first one is the same torus as without it.
+    let tori = [24, 25].map(|count| {
+        let turned = (0..count).map(|k| {
+            let (sin, cos) = (TAU * f64::from(k % 24) / 24.0).sin_cos();
+            let place = |p: &[f64; 3]| [(3.0 + p[0]) * cos, (3.0 + p[0]) * sin, p[1]];
+            (circle(24, 1.0, [0.0; 3]).iter().map(place).collect(), true)
+        });
+        let outputs = run("loft", &[Input::Curves(&polylines(&turned.collect::<Vec<_>>()))], &[("ring", &[1.0])]);
+        let outputs = outputs.unwrap();
+        assert_eq!(text(&outputs[1]).contains("section 24 repeats section 0 and was left out"), count == 25);
+        mesh(&outputs[0]).0
+    });
+    assert_eq!(tori[0], tori[1]);
+}
+
+#[test]
+fn sections_that_make_no_body_are_refused_by_name() {
+    let refused = |curves: &Curves, set: &[(&str, &[f64])]| {
+        run("loft", &[Input::Curves(curves)], set).map_err(|error| error.to_string()).unwrap_err()
+    };
+    let repeat = "section 1 repeats section 0; leave one of them out";
+    assert_eq!(refused(&circles_at(&[0.0, 0.0]), &[]), repeat);
+    assert_eq!(refused(&circles_at(&[0.0, 0.0, 1.0]), &[("ring", &[1.0])]), repeat);
+    let tips = polylines(&[0.0, 1.0].map(|z| (vec![[0.0, 0.0, z]], false)));
+    for nodes in [0.0, 1.0, 2.0] {
+        let why = refused(&tips, &[("nodes", &[nodes])]);
+        assert!(why.contains("a body needs at least one section that is a curve"), "{nodes}: {why}");
+    }
 }
 
 #[test]

@@ -1,11 +1,11 @@
 //! Surfaces through sections: the sections are contained, corners stay, and nothing bulges.
 
 use glam::{DMat3, DVec3};
-use gusset::Job;
 use gusset::curve::frame::{Correspondence, FrameOptions, frame};
 use gusset::curve::{Options, Outlines, Points};
 use gusset::surface::Sheet;
 use gusset::surface::construct::FrameSurface;
+use gusset::{Error, Job};
 use std::f64::consts::TAU;
 
 fn loft(sections: &[Vec<DVec3>], closed: bool, columns: usize) -> Sheet<'static> {
@@ -182,4 +182,27 @@ fn sections_with_and_without_corners_are_all_contained() {
         .map(|p| p.distance(DVec3::X))
         .fold(f64::INFINITY, f64::min);
     assert!(chine < 1e-12, "{chine}");
+}
+
+#[test]
+fn repeated_sections_are_refused_with_their_indices() {
+    let circle = |z: f64| ring(16, 0.0, |t| DVec3::new(t.cos(), t.sin(), z));
+    for (heights, expected) in [
+        (&[0.0, 0.0, 1.0][..], Some([1, 0])),
+        (&[0.0, 1.0, 1.0], Some([2, 1])),
+        (&[0.0, 1e-9, 1.0, 2.0], Some([1, 0])),
+        (&[0.0, 1e-4, 1.0, 2.0], None),
+    ] {
+        let sections: Vec<Vec<DVec3>> = heights.iter().map(|&z| circle(z)).collect();
+        let points: Vec<[f64; 3]> = sections.iter().flatten().map(DVec3::to_array).collect();
+        let offsets: Vec<u32> = (0..=sections.len() as u32).map(|k| 16 * k).collect();
+        let outlines =
+            Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
+        let made = frame(&outlines, &FrameOptions::new(Correspondence::Given), &Job::default()).unwrap();
+        for kind in [FrameSurface::Sections, FrameSurface::Nodes, FrameSurface::Curves] {
+            let refused = Sheet::from_frame(&made, [false, true], kind, &Job::default()).err();
+            let error = expected.map(|[section, earlier]| Error::RepeatedSection { section, earlier });
+            assert_eq!(refused, error, "{heights:?} {kind:?}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 use super::curve::REFERENCE;
 use super::data::{Input, Output, Polyline};
 use super::filter::{Filter, FilterBody};
-use super::report::{Report, count_with_noun};
+use super::report::{Report, ReportValue, count_with_noun, push_line, push_unlisted_count};
 use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
 use super::smooth::{self, CATEGORY, DEVIATION, MIN_PARTS_PER_SIDE, TRIANGLES};
 use super::typed_param::{Param, ParamValues, params};
@@ -10,7 +10,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_curve::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
+use gusset_curve::frame::{Axis, Correspondence, Frame, FrameOptions, RepeatedSection, frame, repeated_sections};
 use gusset_curve::{Outlines, Points};
 use gusset_surface::construct::FrameSurface;
 use gusset_surface::{Sheet, Surface};
@@ -21,7 +21,8 @@ pub(super) const FILTER: Filter = Filter {
     name: "Loft through sections",
     category: CATEGORY,
     help: "Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a \
-           tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder.",
+           tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder. Sections that \
+           repeat the previous one are left out, and the report names them.",
     reference: REFERENCE,
     ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
@@ -94,9 +95,6 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     if sections.iter().filter(has_extent).any(|section| section.1 != closed) {
         return Err(Error::InputUnfit { input: 0, why: "all curves must be closed, or all open" });
     }
-    let offsets = alloc::copied(&given.offsets)?;
-    let outlines =
-        Outlines { points: Points::from(&given.points[..]), offsets: Some(&offsets), closed, constraints: &[] };
     let too_few = Error::CurveCount {
         input: 0,
         given: sections.len() as u64,
@@ -105,11 +103,17 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     if sections.is_empty() {
         return Err(too_few);
     }
+    // Points of a section that is not a tip differ, or there are none.
+    let is_tip = |section: &Polyline<'_>| !section.0.is_empty() && !has_extent(&section);
+    if sections.len() > 1 && sections.iter().all(is_tip) {
+        return Err(Error::OnlyTips);
+    }
     let mut options = FrameOptions { ring: values.ring, ..FrameOptions::new((values.nodes)(values)) };
     if let Some(angle) = values.corner_angle {
         (options.across.corner_angle, options.smooth_corners) = (angle, angle >= PI);
     }
-    let made = frame(&outlines, &options, &job.sub_job(0.0, 0.4)).map_err(|error| match error {
+    let found = frame_of_distinct_sections(&sections, closed, &options, &job.sub_job(0.0, 0.4));
+    let (made, repeats) = found.map_err(|error| match error {
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
     })?;
@@ -117,20 +121,73 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let surface = Surface::new(vec![sheet], None, &job.sub_job(0.6, 0.7))?;
     let (mesh, meshed) =
         smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.sub_job(0.7, 1.0))?;
-    let text = format!("{meshed}{}", report(&made));
-    Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, meshed.values()))])
+    let text = format!("{meshed}{}", report(&made, &repeats));
+    let mut numbers = alloc::copied(meshed.values())?;
+    alloc::push(&mut numbers, ("repeated_sections", ReportValue::count(repeats.len())))?;
+    Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, &numbers))])
+}
+
+/// Makes the frame of the sections that repeat no earlier one. Returns the others too, by their
+/// places in the input.
+fn frame_of_distinct_sections(
+    sections: &[Polyline<'_>],
+    closed: bool,
+    options: &FrameOptions<'_>,
+    job: &Job<'_>,
+) -> Result<(Frame, Vec<RepeatedSection>)> {
+    let least = if options.ring { 3 } else { 2 };
+    let mut kept = alloc::collect(0..sections.len())?;
+    let (mut left_out, mut done) = (Vec::new(), 0.0);
+    loop {
+        let points = alloc::gather(kept.iter().flat_map(|&k| sections[k].0).copied())?;
+        let mut offsets = alloc::with_capacity(kept.len() + 1)?;
+        offsets.push(0);
+        offsets.extend(kept.iter().scan(0, |end, &k| {
+            *end += sections[k].0.len() as u32;
+            Some(*end)
+        }));
+        let outlines =
+            Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed, constraints: &[] };
+        let until = 0.5 * (done + 1.0);
+        let made = frame(&outlines, options, &job.sub_job(done, until))?;
+        let repeats = repeated_sections(&made.grid, options.ring)?;
+        if repeats.is_empty() {
+            left_out.sort_unstable_by_key(|repeat: &RepeatedSection| repeat.section);
+            return Ok((made, left_out));
+        }
+        let given = |section: u32| kept[section as usize] as u32;
+        let in_input = |repeat: &RepeatedSection| RepeatedSection {
+            section: given(repeat.section),
+            earlier: given(repeat.earlier),
+        };
+        if kept.len() - repeats.len() < least {
+            let RepeatedSection { section, earlier } = in_input(&repeats[0]);
+            return Err(Error::RepeatedSection { section, earlier });
+        }
+        alloc::extend(&mut left_out, repeats.iter().map(in_input))?;
+        let (mut next, mut place) = (repeats.iter().map(|repeat| repeat.section).peekable(), 0..);
+        kept.retain(|_| next.next_if_eq(&place.next().unwrap_or_default()).is_none());
+        done = until;
+    }
 }
 
 const NODE_NOUN: [&str; 2] = ["node", "nodes"];
+/// Repeated sections that the report names.
+const MAX_LISTED_SECTIONS: usize = 20;
 
-fn report(made: &Frame) -> String {
+fn report(made: &Frame, repeats: &[RepeatedSection]) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
-    format!(
+    let mut text = format!(
         "{} of {}, {turned} of them reversed, {}, {} ambiguous; twist at most {:.1} degrees\n",
         count_with_noun(made.grid.rows, ["section", "sections"]),
         count_with_noun(made.grid.columns, NODE_NOUN),
         count_with_noun(made.grid.corners.len(), ["corner", "corners"]),
         count_with_noun(made.grid.ambiguous.len(), NODE_NOUN),
         made.grid.max_twist.to_degrees()
-    )
+    );
+    for RepeatedSection { section, earlier } in repeats.iter().take(MAX_LISTED_SECTIONS) {
+        push_line!(text, "section {section} repeats section {earlier} and was left out");
+    }
+    push_unlisted_count(&mut text, repeats.len(), MAX_LISTED_SECTIONS);
+    text
 }

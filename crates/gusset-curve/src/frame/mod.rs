@@ -12,6 +12,7 @@
 //! - frame_offset: the offset of a frame.
 //! - section_corners: the corners of sections.
 //! - section_landmarks: the correspondence of corners.
+//! - repeated_sections: sections that coincide with an earlier one.
 //! - [`frame`](frame()): the curves through the nodes.
 //! - slice: new sections, and girth and area along the body.
 //!
@@ -28,11 +29,13 @@ mod section_nodes;
 mod frame_offset;
 mod frame_options;
 mod missing_nodes;
+mod repeated_sections;
 mod slice;
 
 pub use frame_offset::node_distances;
 pub use frame_offset::{OffsetDirection, offset};
 pub use frame_options::{Axis, Correspondence, FrameOptions};
+pub use repeated_sections::{RepeatedSection, repeated_sections};
 pub use slice::{Measure, Slice, slice};
 
 use crate::identify::{Constraint, Fit, Options, Outlines, PointConstraint, Points, fit};
@@ -93,8 +96,9 @@ pub struct Frame {
 ///   or than 3 for closed sections; landmarks that differ in number or are not in order; a bad axis
 ///   or reference.
 /// - [`Error::SectionsDiffer`].
-/// - [`Error::NoNode`]: a half-plane does not meet a section; all sections are points, or one with
-///   landmarks is; a missing node lacks a node of its column before or behind it.
+/// - [`Error::NoNode`]: a half-plane does not meet a section; one with landmarks is a point; a missing
+///   node lacks a node of its column before or behind it.
+/// - [`Error::OnlyTips`]: by arc length, all sections are points.
 /// - [`Error::NoSuch`]: a missing point does not exist.
 /// - The errors of [`fit`](super::fit()).
 ///

@@ -170,7 +170,7 @@ fn add_nodes_by_arc_length(
     let has_extent = |&k: &usize| !curves.curve(k).is_empty();
     let live = alloc::gather((0..found.rows).filter(has_extent))?;
     if live.is_empty() {
-        return Err(Error::NoNode { section: 0, column: 0 });
+        return Err(Error::OnlyTips);
     }
     let measured = measure_sections(sections, curves, &live, options, found, &job.sub_job(0.0, 0.4))?;
     let place = |at: usize, mark: u32| curves.place(sections.point_range(live[at]).start + mark as usize);

@@ -9,7 +9,7 @@ use gusset_base::alloc;
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_curve::frame::{Frame, NodeGrid};
+use gusset_curve::frame::{Frame, NodeGrid, repeated_sections};
 use gusset_curve::{Fit, Place};
 
 /// The parts of a frame that define the surface.
@@ -38,9 +38,9 @@ impl Sheet<'static> {
     /// whether each section is closed.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`]; with curves, the errors of [`Sheet::from_curves`], and
-    /// [`Error::CurveNotClosed`]; [`Error::NotFinite`], [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::NetTooSmall`]; [`Error::RepeatedSection`], as [`repeated_sections`] tells; with curves,
+    /// the errors of [`Sheet::from_curves`], and [`Error::CurveNotClosed`]; [`Error::NotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
         Sheet::from_frame_parts(&frame.grid, [&frame.across, &frame.along], closed, kind, job)
     }
@@ -57,6 +57,9 @@ impl Sheet<'static> {
         let min = closed.map(|closed| if closed { 3 } else { 2 });
         if grid.rows < min[0] || grid.columns < min[1] {
             return Err(Error::NetTooSmall { rows: grid.rows as u64, columns: grid.columns as u64 });
+        }
+        if let Some(repeat) = repeated_sections(grid, closed[0])?.first() {
+            return Err(Error::RepeatedSection { section: repeat.section, earlier: repeat.earlier });
         }
         if kind == FrameSurface::Nodes && grid.corners.is_empty() {
             return node_sheet(counts, &grid.nodes, closed, job);
