@@ -249,8 +249,6 @@ fn repeated_sections_are_left_out_and_named() {
         (&[0.0, 1e-9, 1.0, 2.0], 2.0, vec![line(1, 0)]),
         (&[0.0, 1.0, 1.0 - 1e-9, 2.0], 2.0, vec![line(2, 1)]),
         (&[0.0, 0.0, 0.0, 1.0, 2.0, 2.0], 2.0, vec![line(1, 0), line(2, 0), line(5, 4)]),
-        // These lie apart.
-        (&[0.0, 1e-4, 1.0, 2.0], 2.0, vec![]),
     ] {
         let sections = circles_at(heights);
         for set in [&[][..], &[("nodes", &[1.0][..])], &[("through", &[1.0])], &[("through", &[2.0])]] {
@@ -265,6 +263,11 @@ fn repeated_sections_are_left_out_and_named() {
             assert_eq!(report.matches("repeats").count(), lines.len(), "{heights:?}: {report}");
         }
     }
+    // Sections that lie apart by a ten-thousandth of their size are not repetitions.
+    let sections = circles_at(&[0.0, 1e-4, 1.0, 2.0]);
+    let outputs = run("loft", &[Input::Curves(&sections)], &[]).unwrap();
+    let ((points, faces), report) = (mesh(&outputs[0]), text(&outputs[1]));
+    assert!((area(&points, &faces) / (TAU * 2.0) - 1.0).abs() < 4e-3 && !report.contains("repeats"), "{report}");
     // A ring of sections whose last one is the first one is the same torus as without it.
     let tori = [24, 25].map(|count| {
         let turned = (0..count).map(|k| {
