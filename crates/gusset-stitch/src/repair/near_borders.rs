@@ -42,16 +42,21 @@ pub struct NearBorders {
 
 impl NearBorders {
     /// Finds the near edges among the free edges that the `clusters` of the `members` leave single.
-    /// `clusters` maps each vertex to the representative of its cluster.
+    /// `clusters` maps each vertex to the representative of its cluster, and `sewn_edges` is the number
+    /// of pairs of free edges that coincide.
     ///
-    /// O(H + B log B) for H half-edges and B members.
+    /// O(H + B log B) for H half-edges and B members; O(H) if no free edge is left.
     pub(super) fn find(
         mesh: &MeshView<'_>,
         topology: &Topology,
         members: &[u32],
         clusters: &[u32],
+        sewn_edges: u32,
         job: &Job<'_>,
     ) -> Result<Self> {
+        if free_edges(mesh, topology).count() as u64 == 2 * u64::from(sewn_edges) {
+            return Ok(NearBorders::default());
+        }
         let places = alloc::gather(members.iter().copied().filter(|&v| clusters[v as usize] == v))?;
         let edges = edges_left(mesh, topology, clusters)?;
         if places.len() < 3 || edges.len() < 2 {

@@ -144,7 +144,8 @@ pub(super) fn weld_within(
     let places = [&clusters.representative[..], &representative];
     welded.count_sewn_edges(mesh, &topology, places, sewing, &job.sub_job(0.95, 0.97))?;
     if sewing {
-        welded.near = NearBorders::find(mesh, &topology, &members, &clusters.representative, &job.sub_job(0.97, 1.0))?;
+        let (places, sewn) = (&clusters.representative, welded.sewn_edges);
+        welded.near = NearBorders::find(mesh, &topology, &members, places, sewn, &job.sub_job(0.97, 1.0))?;
     }
     clusters.add_unmerged_members(&members, &representative, &job.sub_job(1.0, 1.0))?;
     welded.left_vertices = clusters.kept_apart;
