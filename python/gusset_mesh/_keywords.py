@@ -91,7 +91,9 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
         keywords["cuts"], keywords["cut_offsets"] = _paths(keywords["cuts"])
     for keyword, value in keywords.items():
         if keyword not in fields:
-            raise TypeError(f"no option {keyword!r}: there are {', '.join(fields)}")
+            groups = [field for field in fields if fields[field][0] == "options" and keyword in _fields_of(struct, field)]
+            known = " or ".join(f"{group}={{{keyword!r}: ...}}" for group in groups)
+            raise TypeError(f"no option {keyword!r}: pass {known}" if known else f"no option {keyword!r}: there are {', '.join(fields)}")
         if value is None:
             continue
         kind, words, needs, shape = fields[keyword]
@@ -117,6 +119,11 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
                 raise ValueError(f"{keyword} is {value!r}, which is out of range") from None
     # The struct keeps alive what it points to.
     return holding(struct, kept) if kept else struct
+
+
+def _fields_of(struct: Any, field: str) -> Any:
+    """The options that a group of options has."""
+    return FIELDS[f"gusset_{_struct_of(struct, field)}"]
 
 
 def _struct_of(struct: Any, field: str) -> str:

@@ -153,6 +153,11 @@ def test_meshes_and_errors_travel():
 def test_options():
     with pytest.raises(TypeError, match="no option 'weight'.*meridians"):
         gm.stitch(shapes.cap(), shapes.cap(-1), weight="area")
+    # Options of a part of the work have a name of their own.
+    with pytest.raises(TypeError, match=r"no option 'meridians': pass strip_options={'meridians': ...}$"):
+        gm.join([shapes.cap(), shapes.cap(-1)], meridians="area")
+    with pytest.raises(TypeError, match="strip_options=.* or fill_options="):
+        gm.join([shapes.cap(), shapes.cap(-1)], finish="blend")
     with pytest.raises(ValueError, match="'greedy'"):
         gm.stitch(shapes.cap(), shapes.cap(-1), meridians="fast")
     with pytest.raises(gm.InputError):
