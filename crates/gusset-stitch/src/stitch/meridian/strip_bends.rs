@@ -5,17 +5,17 @@
 //! 2 times the length, like the energy of a bent plate: many small bends cost less than one sharp
 //! bend. Along the rims the second triangle is the old face, if it is known.
 //!
-//! **Continuation** has two terms. The first is the sum of d + d^2 / 4 for the distance d = 2 sin(t
-//! / 2) of the normals, with the weight [`RIM_BEND_WEIGHT`] along the rims. It does not depend on
-//! the edge's length, and is nearly linear in t. So a surface may turn in one place rather than a
-//! little everywhere, as where the old faces continue across the gap. The square keeps sharp bends
-//! rare. Above 150 degrees two triangles fold onto each other, and the cost grows steeply. The
-//! second term is the mean square distance of the triangles from the likely old surface. A meridian
-//! from A_i to B_j has ends at the distances h and k from each other's tangent planes. Like the
-//! cubic with these tangents, it bulges by b^2 = (h^2 + k^2) / 32 in the middle. A triangle between
-//! two meridians has the mean square (b1^2 + b1 b2 + b2^2) / 3. All lengths are in mean edges of
-//! the rims. The weights, and the powers of t and of the length, were tuned on parts cut out of
-//! closed meshes, which the strips should approximate (`make bench ONLY=truth`).
+//! **Continuation** has two terms. The first is the sum of 2 sin(t / 2), with the weight
+//! [`RIM_BEND_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly
+//! linear in t. So a surface may turn in one place rather than a little everywhere, as where the
+//! old faces continue across the gap. Above 150 degrees two triangles fold onto each other, and the
+//! cost grows steeply. The second term is the mean square distance of the triangles from the likely
+//! old surface. A meridian from A_i to B_j has ends at the distances h and k from each other's
+//! tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2) / 32 in the
+//! middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) / 3. All
+//! lengths are in mean edges of the rims. The weights, and the powers of t and of the length, were
+//! tuned on parts cut out of closed meshes, which the strips should approximate (`make bench
+//! ONLY=truth`).
 //!
 //! A degenerate triangle counts as perpendicular to its neighbours. All loops over the nodes of a
 //! row are free of branches, so that they vectorise.
@@ -33,13 +33,7 @@ const RIM_BEND_WEIGHT: f64 = 4.0;
 /// The distance of the unit normals of two triangles that fold onto each other: 150 degrees.
 const MIN_FOLD_DISTANCE: f64 = 1.931_851_652_578_136_6;
 /// The cost of a fold for each unit of distance beyond [`MIN_FOLD_DISTANCE`].
-const FOLD_COST: f64 = 100.0;
-/// The weight of the square of the normals' distance, for [`StripBends::for_best_continuation`]. It
-/// makes a sharp bend dearer than several small ones.
-const SQUARED_BEND_WEIGHT: f64 = 0.25;
-/// The weight of the distance from the likely old surface, for
-/// [`StripBends::for_best_continuation`].
-const OLD_SURFACE_WEIGHT: f64 = 0.5;
+const FOLD_COST: f64 = 50.0;
 
 /// The cost of strips between two rims, as a sum over the steps of their meridians.
 pub(super) struct StripBends<'a> {
@@ -281,7 +275,7 @@ impl RimStepsOfRow<'_> {
             if !CONTINUES {
                 return along;
             }
-            along + self.areas[j] * ((OLD_SURFACE_WEIGHT / 3.0) * (to[j] + from[j] + (to[j] * from[j]).sqrt()))
+            along + self.areas[j] * ((to[j] + from[j] + (to[j] * from[j]).sqrt()) / 3.0)
         };
         for j in 0..after_a.len() {
             let (normal, alone) = (point_of_slice(self.normals, j), alone(j));
@@ -302,9 +296,8 @@ fn bend_between_normals<const CONTINUES: bool>(p: DVec3, q: DVec3, length: f64) 
     if !CONTINUES {
         return length * (1.0 - p.dot(q));
     }
-    let square = p.distance_squared(q);
-    let bend = square.sqrt();
-    bend + SQUARED_BEND_WEIGHT * square + FOLD_COST * (bend - MIN_FOLD_DISTANCE).max(0.0)
+    let bend = p.distance(q);
+    bend + FOLD_COST * (bend - MIN_FOLD_DISTANCE).max(0.0)
 }
 
 /// Returns the normals at the vertices of a rim, each the mean over its two faces on the rim. The

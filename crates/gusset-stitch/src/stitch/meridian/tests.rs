@@ -101,8 +101,7 @@ fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
         ((heights[0].powi(2) + heights[1].powi(2)) / 32.0).sqrt()
     };
     // A bend of more than 150 degrees is a fold.
-    let fold = |bend: f64| f64::max(bend - 2.0 * 75f64.to_radians().sin(), 0.0);
-    let cost = |bend: f64| bend + bend * bend / 4.0 + 100.0 * fold(bend);
+    let cost = |bend: f64| bend + 50.0 * f64::max(bend - 2.0 * 75f64.to_radians().sin(), 0.0);
     let (mut sum, mut normals) = (0.0, Vec::new());
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -111,7 +110,7 @@ fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
         let side = if i2 > i { along_a[i as usize] } else { along_b[j as usize] };
         let (first, second) = (bulge(step[0]), bulge(step[1]));
         let area = vector.length() / 2.0 / mean.powi(2);
-        sum += area * (first.powi(2) + first * second + second.powi(2)) / 6.0;
+        sum += area * (first.powi(2) + first * second + second.powi(2)) / 3.0;
         sum += 4.0 * cost((vector.normalize_or_zero() - side).length());
         normals.push(vector.normalize_or_zero());
     }
