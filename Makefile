@@ -117,7 +117,9 @@ lint-prose:
 lint-rust:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --workspace --exclude gusset-tests --exclude gusset-fuzz --no-deps
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --workspace --exclude gusset-tests --exclude gusset-fuzz --exclude gusset-cli --no-deps
+	@# After the library: both are called gusset, and write one folder.
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked -p gusset-cli --no-deps
 	@if command -v typos > /dev/null; then typos; else echo 'Skipped, as it is not installed: typos (cargo install typos-cli)'; fi
 	@if command -v cargo-deny > /dev/null; then $(CARGO) deny --workspace --locked --offline check bans licenses sources; \
 	else echo 'Skipped, as it is not installed: cargo-deny (cargo install cargo-deny)'; fi
