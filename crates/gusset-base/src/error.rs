@@ -122,7 +122,11 @@ pub enum Error {
     /// A section of a frame, or a plane, lacks a node on a column. Either the two do not meet, or
     /// the section is not a curve.
     #[error("section {section} has no node in column {column}; it must be a curve that meets the column")]
-    NoNode { section: u32, column: u32 },
+    NoNode {
+        /// The index of the section or plane.
+        section: u32,
+        column: u32,
+    },
     /// All sections of a frame are points.
     #[error("all sections are tips; a body needs at least one section that is a curve, between tips or beside one")]
     OnlyTips,

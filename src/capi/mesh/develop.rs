@@ -84,8 +84,8 @@ impl gusset_develop_options {
 /// - A conformal map has the area of the surface.
 ///
 /// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch, coordinates beyond 1e150),
-///     BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input is the cut, index the place in it), CUT_NOT_CONNECTED (likewise),
-///     REPEATED_CORNER
+///     BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input is the cut, index the place in it),
+///     CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
 /// @complexity O(H log H) if charts unfold; else O(n^1.5) for n vertices of a chart, each step and
 ///     each dart; memory O(n log n).
 /// @source Rabinovich et al. 2017, for the descent; Levy et al., Least squares conformal maps,

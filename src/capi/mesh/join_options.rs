@@ -32,8 +32,8 @@ pub type gusset_gap = u32;
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
 ///   radius (mean distance from the loop's centre) if more. Any gap between the only two loops, on
 ///   two pieces, unless they lie beside each other.
-/// - Whole loops on two pieces that look at each other, with nobody else near: three times that. Among
-///   the loops without a partner, each is nearest to three quarters of the other's vertices.
+/// - Whole loops on two pieces that look at each other, with nobody else near: three times that.
+///   Among the loops without a partner, each is nearest to three quarters of the other's vertices.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
 /// - Slits: one mean edge, and half the mean radius unless the slit is narrow.
 /// - Gaps between borders that share vertices: the longest edge.

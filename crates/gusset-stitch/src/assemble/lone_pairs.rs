@@ -69,7 +69,7 @@ impl FacingSearch<'_> {
         Ok(found)
     }
 
-    /// Returns the loop that nearly all vertices of each free loop see, or [`NONE`].
+    /// Returns the loop that most vertices of each free loop see, or [`NONE`].
     fn find_loops_seen_by_most(&self, is_free: &[bool], job: &Job<'_>) -> Result<Vec<u32>> {
         let free = || (0..self.rims.len()).filter(|&r| is_free[r]);
         let points = alloc::gather(free().flat_map(|r| self.rims[r].points.iter().copied()))?;

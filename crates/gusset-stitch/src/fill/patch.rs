@@ -20,8 +20,8 @@ use std::cell::Cell;
 /// Limit on the estimated number of new vertices of a hole, if the caller sets none.
 const DEFAULT_MAX_NEW_VERTICES: u32 = 50_000;
 /// After the first blend of a hole, others are tried as long as all together stay below this
-/// effort. Five blends of 4,400 new vertices with full fairing reach it. On 163 meshes with holes,
-/// no blend beyond it had fewer cuts than the best patch before it.
+/// effort. Five blends of 4,400 new vertices with full fairing reach it. On 163 meshes, no blend
+/// beyond it had fewer cuts than the best patch before it.
 const MAX_EFFORT_OF_ATTEMPTS: usize = 110_000;
 /// Limit on the new vertices that sharp angles at the rim may request, per rim vertex, if the
 /// caller sets none.
